@@ -1,0 +1,66 @@
+#pragma once
+// A case: everything that a prediction needs, as data.
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "parameters/field.hpp"
+#include "pem/contact_parameters.hpp"
+#include "pem/source_parameters.hpp"
+#include "spectra/irregularity_parameters.hpp"
+#include "track/track_parameters.hpp"
+#include "vehicle/vehicle_parameters.hpp"
+
+namespace railpem::pem {
+
+struct RunningParameters {
+    std::vector<double> speeds_m_per_s;
+    /// Relative standard deviation of the speed within a record: widens every line (sleeper passing, wheel orders, joints).
+    double speed_fluctuation = 0.001;
+};
+
+/// Frequency lines from, from + step, … up to and including `to`.
+struct FrequencyParameters {
+    double from_hz = 0.3;
+    double to_hz = 200.0;
+    double step_hz = 0.1;
+};
+
+enum class RailSolution { exact, modal };
+
+struct SolverParameters {
+    RailSolution rail = RailSolution::exact;
+    int modes = 200;      ///< modal only: bending modes of the simply supported rail
+    int pads = 61;        ///< modal only: number of pads, the middle one (or pair) under the centre of the car
+    bool moving = false;  ///< add what the motion of the wheels along the rail changes in its receptance
+};
+
+struct CaseParameters {
+    std::string title;
+    vehicle::VehicleParameters vehicle;
+    track::TrackParameters track;
+    ContactParameters contact;
+    spectra::IrregularityParameters irregularity;
+    RunningParameters running;
+    FrequencyParameters frequency;
+    SolverParameters solver;
+    SleeperPassing sleeper_passing;
+    std::vector<WheelOutOfRoundness> wheel_out_of_roundness;
+    std::vector<SensorParameters> sensors;
+    /// Relative standard deviations of believed values by dotted key, where they differ from the defaults of the fields.
+    std::map<std::string, double> tolerances;
+};
+
+parameters::Fields<CaseParameters> case_fields();
+parameters::Fields<RunningParameters> running_fields();
+parameters::Fields<FrequencyParameters> frequency_fields();
+parameters::Fields<SolverParameters> solver_fields();
+
+/// The static load of one wheel, N: the stated one, or a quarter of half the weight of the vehicle with its payload.
+double wheel_load_n(const CaseParameters& parameters);
+
+/// Rules within the case, those of vehicle, track and irregularity included. Throws parameters::ParameterError.
+void check(const CaseParameters& parameters);
+
+}  // namespace railpem::pem

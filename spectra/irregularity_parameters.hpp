@@ -1,0 +1,58 @@
+#pragma once
+// The vertical irregularity of the running surface as data. Spectra are one-sided in cycles/m, S(n) in m²/(cycle/m) = m³.
+
+#include <vector>
+
+#include "parameters/field.hpp"
+
+namespace railpem::spectra {
+
+enum class Family { fra, power_law, german_low, german_high, chinese_ballastless, iso3095, table };
+
+/// One family over one band of wavelengths; outside the band it is nothing. Bands add where they overlap.
+struct IrregularityBand {
+    Family family = Family::fra;
+    double shortest_wavelength_m = 1.0;
+    double longest_wavelength_m = 100.0;
+    int fra_class = 6;            ///< fra: track class 1 (worst) to 6 (best)
+    double coefficient_m3 = 0.0;  ///< power_law: S(n) = coefficient·(n·1 m)^(−exponent)
+    double exponent = 0.0;
+    std::vector<double> table_cycles_per_m;  ///< table: increasing, log–log interpolation, nothing outside
+    std::vector<double> table_psd_m3;
+};
+
+/// A narrow band in wavelength: Gaussian in n around 1/wavelength, relative standard deviation `relative_bandwidth`,
+/// whose integral is rms². The same for all wheels (part of the irregularity).
+struct Corrugation {
+    double wavelength_m = 0.3;
+    double relative_bandwidth = 0.1;
+    double rms_m = 20e-6;
+};
+
+/// Dips at a regular distance: each a raised cosine of depth h and length l, −h/2·(1 + cos(2πx/l)) for |x| < l/2.
+/// Lines at n·v/spacing. The same for all wheels (part of the irregularity).
+struct RailJoints {
+    double spacing_m = 25.0;
+    double depth_m = 0.5e-3;
+    double length_m = 1.0;
+};
+
+struct IrregularityParameters {
+    std::vector<IrregularityBand> bands;
+    /// Correction of the broadband spectrum: 10^(level/10)·(λ/λ_ref)^(slope/(10·log10 2)), λ_ref = 3 m: level in dB at
+    /// 3 m and slope in dB per octave of wavelength (positive: long waves stronger).
+    double level_db = 0.0;
+    double slope_db_per_octave = 0.0;
+    std::vector<Corrugation> corrugation;
+    std::vector<RailJoints> joints;
+};
+
+parameters::Fields<IrregularityParameters> irregularity_fields();
+parameters::Fields<IrregularityBand> irregularity_band_fields();
+parameters::Fields<Corrugation> corrugation_fields();
+parameters::Fields<RailJoints> rail_joint_fields();
+
+/// Rules between parameters. Throws parameters::ParameterError (keys "irregularity.…").
+void check(const IrregularityParameters& irregularity);
+
+}  // namespace railpem::spectra
