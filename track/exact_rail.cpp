@@ -107,7 +107,7 @@ SupportLaw::SupportLaw(const PadParameters& pads, const SupportParameters& suppo
         shape_.set(lane, pad_shape(pads, frequency));
         if (!rigid_) below_.set(lane, support_receptance(support, frequency));
     }
-    dashpot_ = lanes::Complex({}, damping * omega);
+    dashpot_ = lanes::Complex(lanes::Real{}, damping * omega);
 }
 
 lanes::Complex SupportLaw::stiffness(double pad_stiffness_n_per_m, double scale) const {
