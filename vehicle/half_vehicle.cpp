@@ -101,7 +101,7 @@ lanes::Complex stiffness_of(const HalfVehicle& car, const Element& element, lane
     switch (element.law) {
         case Law::secondary: return suspension_stiffness(car.secondary, car.friction.secondary[element.index], omega);
         case Law::primary: return suspension_stiffness(car.primary, car.friction.primary[element.index], omega);
-        case Law::inertia: return {-element.mass_kg * omega * omega, {}};
+        case Law::inertia: return {-element.mass_kg * omega * omega, lanes::Real{}};
         case Law::mode: break;
     }
     const double natural = kTwoPi * element.frequency_hz;
@@ -125,7 +125,7 @@ HalfVehicle half_vehicle(const VehicleParameters& vehicle) {
 }
 
 lanes::Complex suspension_stiffness(const SuspensionParameters& law, double friction_damping, lanes::Real omega) {
-    lanes::Complex damper{{}, law.damping_n_s_per_m * omega};
+    lanes::Complex damper{lanes::Real{}, law.damping_n_s_per_m * omega};
     if (std::isfinite(law.damper_series_stiffness_n_per_m)) {
         const lanes::Complex series(law.damper_series_stiffness_n_per_m);
         damper = damper * series / (damper + series);
