@@ -67,7 +67,7 @@ void store_group(const GroupSolution& group, const std::vector<Source>& sources,
 }  // namespace
 
 Solution solve_case(const CaseParameters& parameters, double speed_m_per_s, const SolveOptions& options) {
-    const CoupledModel model = coupled_model(parameters);
+    const CoupledModel model = coupled_model(parameters, speed_m_per_s);
     const std::vector<Source> sources = excitation_sources(parameters, model.wheels_m, speed_m_per_s);
     Solution solution;
     solution.speed_m_per_s = speed_m_per_s;
@@ -85,7 +85,7 @@ Solution solve_case(const CaseParameters& parameters, double speed_m_per_s, cons
         CoupledWorkspace workspace(model);
 #pragma omp for schedule(dynamic, 4)
         for (std::size_t group = 0; group < groups; ++group) {
-            const GroupSolution& solved = solve_group(model, group_omega(solution.frequency_hz, group), nullptr, workspace);
+            const GroupSolution& solved = solve_group(model, group_omega(solution.frequency_hz, group), workspace);
             store_group(solved, sources, group * lanes::width, solution);
             if (!options.progress) continue;
             std::size_t now = 0;
