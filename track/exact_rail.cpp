@@ -97,6 +97,8 @@ ExactRailWorkspace::ExactRailWorkspace(const ExactRail& rail)
     const std::size_t points = static_cast<std::size_t>(rail.points);
     result.between.resize(points * points);
     result.trackbed.resize(points);
+    met.resize(points);
+    row.resize(points);
 }
 
 SupportLaw::SupportLaw(const PadParameters& pads, const SupportParameters& support, lanes::Real omega)
