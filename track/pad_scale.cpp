@@ -21,7 +21,7 @@ double uniform(int seed, std::int64_t seat) {
 }  // namespace
 
 double pad_scale(const FailedFasteners& failed, std::int64_t seat) {
-    const bool regular = failed.every > 0 && seat % failed.every == 0;
+    const bool regular = failed.every > 0 && (seat - failed.first_seat) % failed.every == 0;
     const bool drawn = failed.fraction > 0.0 && uniform(failed.seed, seat) < failed.fraction;
     return regular || drawn ? failed.remaining_stiffness_fraction : 1.0;
 }
