@@ -195,7 +195,7 @@ void warn(StaticEquilibrium& result, const LoadedRail& rail) {
         if (rail.scale[j] == 0.0) continue;  // nothing there to lift from
         const double gap = rail.seat.curve.free_compression_m - result.compression_m[j];
         if (gap >= 0.0) ++lifted;
-        if (gap > largest_gap) largest_gap = gap, gap_at = result.position_m[j];
+        if (gap > largest_gap) largest_gap = gap, gap_at = 1e-6 * std::round(1e6 * result.position_m[j]) + 0.0;
         if (result.compression_m[j] > rail.seat.curve.limit_compression_m) ++beyond;
     }
     if (lifted > 0)
