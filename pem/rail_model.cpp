@@ -36,18 +36,71 @@ double stiffness_under_points(const track::ExactRail& rail) {
     return count > 0.0 ? sum / count : rail.uniform_pad_stiffness_n_per_m;
 }
 
-class ExactModel : public RailModel {
+/// Mean over several positions of the wheels along the track.
+class MeanEvaluator : public RailEvaluator {
   public:
-    explicit ExactModel(track::ExactRail rail) : rail_(std::move(rail)) {}
-    std::unique_ptr<RailEvaluator> evaluator() const override { return std::make_unique<ExactEvaluator>(rail_); }
-
-    std::vector<std::complex<double>> convected_change(double omega, double speed, const std::vector<double>& separations) const override {
-        return track::convected_change(rail_, stiffness_under_points(rail_), omega, speed, separations);
+    explicit MeanEvaluator(const std::vector<track::ExactRail>& rails) {
+        for (const track::ExactRail& rail : rails) single_.emplace_back(rail);
+    }
+    const track::RailReceptance& at(lanes::Real omega) override {
+        mean_ = single_.front().at(omega);
+        for (std::size_t i = 1; i < single_.size(); ++i) {
+            const track::RailReceptance& other = single_[i].at(omega);
+            for (std::size_t k = 0; k < mean_.between.size(); ++k) mean_.between[k] += other.between[k];
+            for (std::size_t k = 0; k < mean_.trackbed.size(); ++k) mean_.trackbed[k] += other.trackbed[k];
+        }
+        const double share = 1.0 / static_cast<double>(single_.size());
+        for (lanes::Complex& value : mean_.between) value = value * share;
+        for (lanes::Complex& value : mean_.trackbed) value = value * share;
+        return mean_;
     }
 
   private:
-    track::ExactRail rail_;
+    std::vector<ExactEvaluator> single_;
+    track::RailReceptance mean_;
 };
+
+class ExactModel : public RailModel {
+  public:
+    explicit ExactModel(std::vector<track::ExactRail> rails) : rails_(std::move(rails)) {}
+    std::unique_ptr<RailEvaluator> evaluator() const override {
+        if (rails_.size() == 1) return std::make_unique<ExactEvaluator>(rails_.front());
+        return std::make_unique<MeanEvaluator>(rails_);
+    }
+
+    std::vector<std::complex<double>> convected_change(double omega, double speed, const std::vector<double>& separations) const override {
+        return track::convected_change(rails_.front(), stiffness_under_points(rails_.front()), omega, speed, separations);
+    }
+
+  private:
+    std::vector<track::ExactRail> rails_;
+};
+
+/// Rails for wheels that roll over the track: at rest one, as the case has it. In motion the mean over positions that take
+/// the first two harmonics of a bay out of the receptance (three per bay, and every bay of a period of failed fasteners);
+/// random failures enter by their mean.
+std::vector<track::ExactRail> positions(const CaseParameters& parameters, const std::vector<double>& wheels_m, const track::StaticEquilibrium& equilibrium) {
+    if (!parameters.solver.moving) return {track::exact_rail(parameters.track, wheels_m, equilibrium)};
+    constexpr int kPerBay = 3;
+    CaseParameters moved = parameters;
+    int period = 1;
+    for (track::FailedFasteners& failed : moved.track.failed_fasteners) {
+        if (failed.every > 0) period = failed.every;
+        const double mean = 1.0 - failed.fraction * (1.0 - failed.remaining_stiffness_fraction);
+        moved.track.pads.dynamic_to_static_ratio *= mean;
+        moved.track.pads.damping_n_s_per_m *= mean;
+        failed.fraction = 0.0;
+    }
+    const int first_seat = moved.track.failed_fasteners.empty() ? 0 : moved.track.failed_fasteners.front().first_seat;
+    std::vector<track::ExactRail> rails;
+    for (int k = 0; k < kPerBay * period; ++k) {
+        const double bays = static_cast<double>(k) / kPerBay;
+        moved.track.wheel_offset_m = (bays - std::floor(bays)) * parameters.track.spacing_m;
+        for (track::FailedFasteners& failed : moved.track.failed_fasteners) failed.first_seat = first_seat - static_cast<int>(bays);
+        rails.push_back(track::exact_rail(moved.track, wheels_m, case_equilibrium(moved)));
+    }
+    return rails;
+}
 
 /// The design's rail, line by line through a dense solve.
 class ModalEvaluator : public RailEvaluator {
@@ -112,7 +165,7 @@ std::unique_ptr<RailModel> rail_model(const CaseParameters& parameters, const st
                                       const track::StaticEquilibrium& equilibrium) {
     if (parameters.solver.rail == RailSolution::modal)
         return std::make_unique<ModalModel>(parameters.track, wheels_m, parameters.solver.modes, equilibrium);
-    return std::make_unique<ExactModel>(track::exact_rail(parameters.track, wheels_m, equilibrium));
+    return std::make_unique<ExactModel>(positions(parameters, wheels_m, equilibrium));
 }
 
 }  // namespace railpem::pem

@@ -49,14 +49,14 @@ lanes::Real group_omega(const std::vector<double>& frequencies, std::size_t grou
 }
 
 /// Pseudo-responses of one group of lines for every source.
-void store_group(const GroupSolution& group, const std::vector<Source>& sources, std::size_t first_line, Solution& solution) {
+void store_group(const GroupSolution& group, const std::vector<Source>& sources, double step_hz, std::size_t first_line, Solution& solution) {
     const std::size_t lines = solution.frequency_hz.size();
     const std::size_t count = std::min<std::size_t>(lanes::width, lines - first_line);
     const std::size_t responses_count = response_names().size();
     std::array<lanes::Complex, 32> response;
     assert(responses_count <= response.size());
     for (std::size_t s = 0; s < sources.size(); ++s) {
-        responses(group, sources[s].amplitude(group.omega), response.data());
+        responses(group, sources[s].amplitude({group.omega, step_hz}), response.data());
         for (std::size_t r = 0; r < responses_count; ++r) {
             std::complex<double>* row = solution.pseudo_response.data() + (s * responses_count + r) * lines + first_line;
             for (std::size_t lane = 0; lane < count; ++lane) row[lane] = response[r][static_cast<int>(lane)];
@@ -86,7 +86,7 @@ Solution solve_case(const CaseParameters& parameters, double speed_m_per_s, cons
 #pragma omp for schedule(dynamic, 4)
         for (std::size_t group = 0; group < groups; ++group) {
             const GroupSolution& solved = solve_group(model, group_omega(solution.frequency_hz, group), workspace);
-            store_group(solved, sources, group * lanes::width, solution);
+            store_group(solved, sources, parameters.frequency.step_hz, group * lanes::width, solution);
             if (!options.progress) continue;
             std::size_t now = 0;
 #pragma omp atomic capture

@@ -37,15 +37,14 @@ std::vector<double> geometric_lines(double from_hz, double to_hz, int lines) {
 TrackResponse track_response(const CaseParameters& parameters, const std::vector<double>& frequency_hz, bool with_decay, int threads) {
     const double spacing = parameters.track.spacing_m;
     const double stiffness = unloaded_pad_stiffness(parameters);
-    // Over a pad and in a bay: two small problems of their own, or the reach of EN 15461 from the middle of bay 0.
-    std::vector<double> points{0.5 * spacing, 0.0};
+    // The force stands in the middle of bay 0; for decay rates the responses of EN 15461 go with it.
+    std::vector<double> points{0.5 * spacing};
     if (with_decay) {
-        points.pop_back();
-        for (const double distance : track::decay_rate_positions_m(spacing))
-            if (distance > 0.0) points.push_back(0.5 * spacing + distance);
+        points = track::decay_rate_positions_m(spacing);
+        for (double& point : points) point += 0.5 * spacing;
     }
     const track::ExactRail pad_rail = track::uniform_rail(parameters.track, {0.0}, stiffness);
-    const track::ExactRail rail = track::uniform_rail(parameters.track, {points.begin(), with_decay ? points.end() : points.begin() + 1}, stiffness);
+    const track::ExactRail rail = track::uniform_rail(parameters.track, points, stiffness);
 
     TrackResponse response;
     const std::size_t lines = frequency_hz.size();

@@ -16,7 +16,7 @@ constexpr double kMostTerms = 60000.0;
 constexpr double kLogImages = 20.7;   ///< −log 1e-9
 constexpr double kReach = 12.0;       ///< in wavenumbers of the rail on its supports; the change falls off with its sixth power
 
-/// 1/D(ω', k) for eight wavenumbers; ω' may be negative.
+/// 1/D(ω', k) for a group of wavenumbers; ω' may be negative.
 Complex receptance_density(const ExactRail& rail, double pad_stiffness, Real convected, Real k) {
     const Real small = lanes::broadcast(1e-6);
     Real size = convected < Real{} ? -convected : convected;
@@ -38,7 +38,7 @@ Complex receptance_density(const ExactRail& rail, double pad_stiffness, Real con
 
 struct Grid {
     double step;
-    int groups;  ///< of eight wavenumbers, on each side of zero
+    int groups;  ///< of lanes::width wavenumbers, on each side of zero
 };
 
 Grid wavenumber_grid(const ExactRail& rail, double pad_stiffness, double omega, const std::vector<double>& separations) {
@@ -70,7 +70,7 @@ std::vector<std::complex<double>> convected_change(const ExactRail& rail, double
         const Complex resting = receptance_density(rail, pad_stiffness_n_per_m, lanes::broadcast(omega), k);
         const Complex difference = moving - resting;
         for (std::size_t i = 0; i < sums.size(); ++i) {
-            Complex phase;
+            Complex phase(0.0);
             for (int lane = 0; lane < lanes::width; ++lane) phase.set(lane, std::polar(1.0, k[lane] * separations_m[i]));
             sums[i] += difference * phase;
         }

@@ -6,6 +6,7 @@
 #include <Eigen/Dense>
 #include <cmath>
 #include <complex>
+#include <cstring>
 #include <numbers>
 
 #include "paper_case.hpp"
@@ -41,6 +42,7 @@ TEST(Limits, RigidTrackLeavesTheVehicle) {
     pem::CaseParameters parameters = paper_case(1);
     parameters.track.rail.second_moment_of_area_m4 = 1e3;
     parameters.track.pads.static_stiffness_n_per_m = 1e16;
+    parameters.track.pads.force_polynomial_n.clear();
     const double f = 37.0, omega = kTwoPi * f;
     const std::array<Complex, 4> r{Complex(1.0, 0.0), Complex(0.3, 0.4), Complex(-0.2, 0.9), Complex(0.5, -0.5)};
     const std::vector<Complex> solved = line(parameters, f, r);
@@ -72,9 +74,8 @@ TEST(Limits, RigidTrackLeavesTheVehicle) {
     for (int w = 0; w < 4; ++w) EXPECT_NEAR(std::abs(solved[5 + w] / acceleration(6 + w) - 1.0), 0.0, tolerance);
 }
 
-/// Work of the irregularity through the contact forces = dissipation in the suspension + in every pad + radiated power. With
-/// the exact rail what leaves towards infinity is all dissipated in pads there: Σ over the finite part plus a geometric tail
-/// evaluated by brute force over many pads. Here the whole track is summed pad by pad from the receptance of a longer rail.
+/// Work of the irregularity through the contact forces = dissipation in every suspension damper + in every pad. What travels
+/// away along the infinite rail is dissipated in pads farther out; 72 m either side leave nothing.
 TEST(PowerBalance, PerLine) {
     pem::CaseParameters parameters = paper_case(3);
     const double speed = parameters.running.speeds_m_per_s.front();
@@ -90,7 +91,7 @@ TEST(PowerBalance, PerLine) {
         for (std::size_t i = 0; i < 4; ++i) {
             force[i] = 0.0;
             for (std::size_t j = 0; j < 4; ++j) force[i] += solved.forces[i][j][0] * r[j];
-            // P pushes the rail down and the wheel up; its counterpart is the imposed r: mean power −½·ω·Im(P·r*)… = ½·ω·Im(P*·r)·(−1)
+            // mean of P·ṙ: ½ Re(P*·iωr) = ½ ω Im(P·r*)
             supplied += 0.5 * omega * std::imag(force[i] * std::conj(r[i]));
         }
         // Vehicle: dissipation per damper from its elongation.
@@ -113,7 +114,7 @@ TEST(PowerBalance, PerLine) {
         }
         // Track: receptances from the wheels to every pad, each pad its own point, on a rail long enough that the rest is nothing.
         double track_loss = 0.0;
-        const double low = -40.0, high = 40.0;
+        const double low = -72.0, high = 72.0;
         for (double x = std::ceil(low / 0.6) * 0.6; x <= high; x += 0.6) {
             std::vector<double> points(model.wheels_m);
             bool on_wheel = false;
@@ -157,7 +158,7 @@ TEST(Limits, OneWheelHasNoComb) {
     pem::CaseParameters parameters = paper_case(1);
     parameters.vehicle.wheelbase_m = 48.0;
     parameters.vehicle.bogie_distance_m = 300.0;
-    parameters.vehicle.bogie_pitch_inertia_kg_m2 = 1490.0 * 24.0 * 24.0;  // centre of percussion: one wheel does not move the other
+    parameters.vehicle.primary = {.stiffness_n_per_m = 1.0, .damping_n_s_per_m = 0.0};
     parameters.frequency = {.from_hz = 40.0, .to_hz = 100.0, .step_hz = 0.1};
     const auto teeth = [](const pem::CaseParameters& p) {
         const pem::Solution solution = pem::solve_case(p, 22.2222);
@@ -175,6 +176,7 @@ TEST(Limits, WheelOnRigidRoad) {
     pem::CaseParameters parameters = paper_case(1);
     parameters.track.rail.second_moment_of_area_m4 = 1e3;
     parameters.track.pads.static_stiffness_n_per_m = 1e16;
+    parameters.track.pads.force_polynomial_n.clear();
     parameters.vehicle.primary = {.stiffness_n_per_m = 1e-3, .damping_n_s_per_m = 0.0};
     const double f = 90.0, omega = kTwoPi * f;
     const double kh = pem::contact_stiffness(pem::contact_constant(parameters.contact, 0.42), 80e3);
