@@ -91,12 +91,15 @@ const GroupSolution& solve_group(const CoupledModel& model, lanes::Real omega, C
     return solution;
 }
 
-void responses(const GroupSolution& solution, const WheelVector& irregularity, Complex* result) {
+WheelVector contact_forces(const GroupSolution& solution, const WheelVector& irregularity) {
     WheelVector force;
-    for (int i = 0; i < 4; ++i) {
-        force[i] = Complex{};
-        for (int j = 0; j < 4; ++j) force[i] += solution.forces[i][j] * irregularity[j];
-    }
+    for (std::size_t i = 0; i < 4; ++i)
+        for (std::size_t j = 0; j < 4; ++j) force[i] += solution.forces[i][j] * irregularity[j];
+    return force;
+}
+
+void responses(const GroupSolution& solution, const WheelVector& irregularity, Complex* result) {
+    const WheelVector force = contact_forces(solution, irregularity);
     const lanes::Real to_acceleration = -solution.omega * solution.omega;
     for (const auto& receptance : solution.car.at) {
         Complex displacement;

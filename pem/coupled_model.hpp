@@ -56,6 +56,9 @@ struct CoupledWorkspace {
 /// P = (1/K_h + V + R)⁻¹·r: V and R the receptances of vehicle and rail at the wheels, r the irregularity (upwards).
 const GroupSolution& solve_group(const CoupledModel& model, lanes::Real omega, CoupledWorkspace& workspace);
 
+/// Contact forces P for irregularities r under the four wheels.
+WheelVector contact_forces(const GroupSolution& solution, const WheelVector& irregularity);
+
 /// All responses (order of response_names()) to irregularities r under the four wheels, in (m/s²) and N per unit of r.
 void responses(const GroupSolution& solution, const WheelVector& irregularity, lanes::Complex* result);
 

@@ -1,13 +1,16 @@
 #include "pem/solution.hpp"
 
+#include <fmt/format.h>
 #include <omp.h>
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <numbers>
 
 #include "pem/coupled_model.hpp"
 #include "pem/excitation.hpp"
+#include "pem/sensor_chain.hpp"
 
 namespace railpem::pem {
 
@@ -64,15 +67,29 @@ void store_group(const GroupSolution& group, const std::vector<Source>& sources,
     }
 }
 
+/// Above this share of open contact the Gaussian closure is not to be trusted (Roberts & Spanos: mild nonlinearity).
+constexpr double kDoubtfulLoss = 0.01;
+
+void warn_of_linearisation(Solution& solution) {
+    const Linearisation& l = solution.linearisation;
+    const double open = *std::max_element(l.loss_of_contact_probability.begin(), l.loss_of_contact_probability.end());
+    if (open > kDoubtfulLoss)
+        solution.warnings.push_back(fmt::format("a wheel loses contact in {:.1f} % of the time; the linearised contact is not reliable", 100.0 * open));
+    if (l.change > 1e-6)
+        solution.warnings.push_back(fmt::format("the linearisation still changes by {:.1e} after {} iterations", l.change, l.iterations));
+}
+
 }  // namespace
 
 Solution solve_case(const CaseParameters& parameters, double speed_m_per_s, const SolveOptions& options) {
-    const CoupledModel model = coupled_model(parameters, speed_m_per_s);
+    CoupledModel model = coupled_model(parameters, speed_m_per_s);
     const std::vector<Source> sources = excitation_sources(parameters, model.wheels_m, speed_m_per_s);
     Solution solution;
+    solution.linearisation = linearise(parameters, sources, model);
     solution.speed_m_per_s = speed_m_per_s;
     solution.frequency_hz = frequency_lines(parameters.frequency);
     solution.warnings = model.warnings;
+    warn_of_linearisation(solution);
     for (const Source& source : sources) solution.source_names.push_back(source.name);
     const std::size_t lines = solution.frequency_hz.size();
     solution.pseudo_response.resize(sources.size() * response_names().size() * lines);
@@ -94,6 +111,7 @@ Solution solve_case(const CaseParameters& parameters, double speed_m_per_s, cons
             if (omp_get_thread_num() == 0) options.progress(std::min(now, lines), lines);
         }
     }
+    apply_sensors(parameters.sensors, solution);
     return solution;
 }
 
