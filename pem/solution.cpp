@@ -10,6 +10,7 @@
 
 #include "pem/coupled_model.hpp"
 #include "pem/excitation.hpp"
+#include "pem/linearise.hpp"
 #include "pem/sensor_chain.hpp"
 
 namespace railpem::pem {

@@ -66,7 +66,7 @@ std::vector<double> without_straight_line(std::span<const double> values) {
     return result;
 }
 
-// Welch (1967), eq. 12 with the correlation (1/6)² of Hann-windowed segments overlapping by half.
+// Welch (1967), with the correlation (1/6)² of Hann-windowed segments overlapping by half.
 double independent_averages(int segments) {
     const double k = segments;
     return k * k / (k + 2.0 * (k - 1.0) / 36.0);

@@ -11,7 +11,7 @@ namespace railpem::spectra {
 namespace {
 
 double nominal(int index) {
-    // IEC 61260-1:2014, Table E.1, one decade.
+    // The names of one decade.
     constexpr std::array names = {1.0, 1.25, 1.6, 2.0, 2.5, 3.15, 4.0, 5.0, 6.3, 8.0};
     const int place = ((index % 10) + 10) % 10;
     const int decade = (index - place) / 10;

@@ -14,7 +14,7 @@ struct ThirdOctaveBand {
     double high_hz = 0.0;
 };
 
-/// The band with centre 10^(index/10) Hz (IEC 61260-1:2014, eqs. 2 and 4).
+/// The band with centre 10^(index/10) Hz.
 ThirdOctaveBand third_octave_band(int index);
 
 /// All bands that lie wholly between low_hz > 0 and high_hz, in increasing order.

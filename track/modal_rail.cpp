@@ -29,8 +29,8 @@ MatrixXd mode_shapes(const std::vector<double>& x_m, double length_m, double mas
 }
 
 std::vector<double> shifted(const std::vector<double>& x_m, double origin_m) {
-    std::vector<double> result;
-    for (const double x : x_m) result.push_back(x - origin_m);
+    std::vector<double> result = x_m;
+    for (double& x : result) x -= origin_m;
     return result;
 }
 

@@ -46,7 +46,8 @@ struct PadParameters {
 /// Fasteners that carry little or nothing. Every n-th seat (`every`), or a random share (`fraction`) drawn by `seed`;
 /// what remains at those seats is `remaining_stiffness_fraction` of the pad's stiffness and damping.
 struct FailedFasteners {
-    int every = 0;  ///< 0: none; n ≥ 2: seats with index divisible by n, counted from the pad at or behind wheel 1
+    int every = 0;          ///< 0: none; n ≥ 2: every n-th seat
+    int first_seat = 0;     ///< one of the regularly failed seats; seat 0 is the pad at or behind wheel 1, growing towards the front
     double fraction = 0.0;  ///< share of random failed seats, 0: none
     double remaining_stiffness_fraction = 0.0;
     int seed = 1;

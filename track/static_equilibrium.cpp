@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/SparseCholesky>
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -12,6 +12,7 @@
 #include "track/pad_scale.hpp"
 #include "track/seat_law.hpp"
 #include "track/static_beam_element.hpp"
+#include "track/symmetric_band.hpp"
 
 namespace railpem::track {
 
@@ -24,8 +25,8 @@ namespace {
 /// need no node of their own. The ends lie mid-bay beyond the outermost pads and do not rotate: the track goes on
 /// uniformly.
 struct LoadedRail {
-    Eigen::SparseMatrix<double> stiffness;  ///< of the beam
-    VectorXd load;                          ///< rail weight and wheels
+    SymmetricBand stiffness;  ///< of the beam
+    VectorXd load;            ///< rail weight and wheels
     SeatLaw seat;
     std::vector<double> scale;  ///< per pad, what a failed fastener has left
     double largest_load_n = 0.0;
@@ -81,27 +82,39 @@ void add_wheels(VectorXd& load, const TrackParameters& track, const std::vector<
     }
 }
 
+SymmetricBand beam_matrix(const TrackParameters& track, const std::vector<double>& nodes_m) {
+    SymmetricBand matrix = SymmetricBand::Zero(4, static_cast<Eigen::Index>(2 * nodes_m.size()) - 2);
+    for (std::size_t e = 0; e + 1 < nodes_m.size(); ++e) {
+        const Eigen::Matrix4d k = element_stiffness(beam_element(track, nodes_m[e + 1] - nodes_m[e]));
+        const std::array<int, 4> at = unknowns(e, nodes_m.size());
+        for (int a = 0; a < 4; ++a)
+            for (int b = 0; b < 4; ++b)
+                if (at[b] >= 0 && at[a] >= at[b]) matrix(at[a] - at[b], at[b]) += k(a, b);
+    }
+    return matrix;
+}
+
+VectorXd rail_weight(const TrackParameters& track, const std::vector<double>& nodes_m) {
+    VectorXd load = VectorXd::Zero(static_cast<Eigen::Index>(2 * nodes_m.size()) - 2);
+    const double weight_n_per_m = rest_load_n(track) / track.spacing_m;
+    for (std::size_t e = 0; e + 1 < nodes_m.size(); ++e) {
+        const StaticBeamElement element = beam_element(track, nodes_m[e + 1] - nodes_m[e]);
+        const Eigen::Vector4d weight = weight_n_per_m * element_uniform_load(element);
+        const std::array<int, 4> at = unknowns(e, nodes_m.size());
+        for (int a = 0; a < 4; ++a)
+            if (at[a] >= 0) load[at[a]] += weight[a];
+    }
+    return load;
+}
+
 LoadedRail assemble(const TrackParameters& track, const std::vector<double>& wheels_m, double wheel_load_n,
                     const std::vector<double>& pads_m) {
     const std::vector<double> nodes_m = node_positions(track, pads_m);
-    const int size = static_cast<int>(2 * nodes_m.size()) - 2;
-    LoadedRail rail{Eigen::SparseMatrix<double>(size, size), VectorXd::Zero(size), seat_law(track), {}, 0.0};
-    const double weight_n_per_m = rest_load_n(track) / track.spacing_m;
-    std::vector<Eigen::Triplet<double>> entries;
-    for (std::size_t e = 0; e + 1 < nodes_m.size(); ++e) {
-        const StaticBeamElement element = beam_element(track, nodes_m[e + 1] - nodes_m[e]);
-        const Eigen::Matrix4d k = element_stiffness(element);
-        const Eigen::Vector4d weight = weight_n_per_m * element_uniform_load(element);
-        const std::array<int, 4> at = unknowns(e, nodes_m.size());
-        for (int a = 0; a < 4; ++a) {
-            if (at[a] < 0) continue;
-            rail.load[at[a]] += weight[a];
-            for (int b = 0; b < 4; ++b)
-                if (at[b] >= 0) entries.emplace_back(at[a], at[b], k(a, b));
-        }
-    }
-    rail.stiffness.setFromTriplets(entries.begin(), entries.end());
+    LoadedRail rail;
+    rail.stiffness = beam_matrix(track, nodes_m);
+    rail.load = rail_weight(track, nodes_m);
     add_wheels(rail.load, track, nodes_m, wheels_m, wheel_load_n);
+    rail.seat = seat_law(track);
     for (const double x : pads_m) rail.scale.push_back(pad_scale(track, seat_index(track, wheels_m, x)));
     rail.largest_load_n = std::max({std::abs(wheel_load_n), rest_load_n(track), track.statics.clip_preload_n});
     return rail;
@@ -109,7 +122,7 @@ LoadedRail assemble(const TrackParameters& track, const std::vector<double>& whe
 
 /// Loads that nothing balances yet, N and N·m; the negative gradient of the potential energy.
 VectorXd unbalanced(const LoadedRail& rail, const VectorXd& u) {
-    VectorXd r = rail.load - rail.stiffness * u;
+    VectorXd r = rail.load - multiply(rail.stiffness, u);
     for (std::size_t j = 0; j < rail.pads(); ++j) {
         const int at = LoadedRail::deflection(j);
         r[at] -= seat_state(rail.seat, rail.scale[j], u[at]).force_on_rail_n;
@@ -148,8 +161,7 @@ struct NewtonResult {
                          "fewer failed fasteners, stiffer pads or a smaller wheel load");
 }
 
-/// Solves unbalanced(u) = 0, starting from the unloaded track. The tangent is symmetric, positive definite as long as
-/// anything carries, and banded with half-width 3: factors in natural order have no fill.
+/// Solves unbalanced(u) = 0, starting from the unloaded track. The tangent is positive definite as long as anything carries.
 NewtonResult newton(const LoadedRail& rail, double rest_deflection_m, double spacing_m) {
     constexpr int most_iterations =
         200;  // 5 to 10 are usual; a rail that lifts off and settles again may need some tens
@@ -160,21 +172,17 @@ NewtonResult newton(const LoadedRail& rail, double rest_deflection_m, double spa
     u[0] = u[u.size() - 1] = rest_deflection_m;
     for (std::size_t j = 0; j < rail.pads(); ++j) u[LoadedRail::deflection(j)] = rest_deflection_m;
 
-    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower, Eigen::NaturalOrdering<int>> factors;
-    factors.analyzePattern(rail.stiffness);
     for (; result.iterations < most_iterations; ++result.iterations) {
         const VectorXd r = unbalanced(rail, u);
         result.residual_n = residual_n(rail, r, spacing_m);
         if (result.residual_n <= tolerance) return result;
-        Eigen::SparseMatrix<double> tangent = rail.stiffness;
+        SymmetricBand tangent = rail.stiffness;
         for (std::size_t j = 0; j < rail.pads(); ++j) {
             const int at = LoadedRail::deflection(j);
-            tangent.coeffRef(at, at) += seat_state(rail.seat, rail.scale[j], u[at]).tangent_n_per_m;
+            tangent(0, at) += seat_state(rail.seat, rail.scale[j], u[at]).tangent_n_per_m;
         }
-        factors.factorize(tangent);
-        if (factors.info() != Eigen::Success) refuse();
-        const VectorXd step = factors.solve(r);
-        if (!step.allFinite()) refuse();
+        VectorXd step = r;
+        if (!solve_in_place(tangent, step)) refuse();
         u += step_length(rail, u, step) * step;
     }
     refuse();
@@ -195,7 +203,7 @@ void warn(StaticEquilibrium& result, const LoadedRail& rail) {
         if (rail.scale[j] == 0.0) continue;  // nothing there to lift from
         const double gap = rail.seat.curve.free_compression_m - result.compression_m[j];
         if (gap >= 0.0) ++lifted;
-        if (gap > largest_gap) largest_gap = gap, gap_at = result.position_m[j];
+        if (gap > largest_gap) largest_gap = gap, gap_at = 1e-6 * std::round(1e6 * result.position_m[j]) + 0.0;
         if (result.compression_m[j] > rail.seat.curve.limit_compression_m) ++beyond;
     }
     if (lifted > 0)

@@ -31,7 +31,7 @@ struct StaticEquilibrium {
 /// compression; supports of the two-layer model act in series with the pad and hold both ways; a failed fastener keeps
 /// its share of pad and clip. `pads_m`: positions from pad_positions(). `wheel_load_n`: static load of each wheel,
 /// downwards. `track` must have passed check(). Accuracy: the residual is below 1e-10 of the largest load; against an
-/// independent solution the compressions agree to 1e-9. Throws parameters::ParameterError when a wheel stands off the
+/// independent solution the compressions agree to 1e-8. Throws parameters::ParameterError when a wheel stands off the
 /// track or no equilibrium exists.
 StaticEquilibrium static_equilibrium(const TrackParameters& track, const std::vector<double>& wheels_m,
                                      double wheel_load_n, const std::vector<double>& pads_m);

