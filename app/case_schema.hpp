@@ -44,8 +44,8 @@ struct CaseNumber {
     std::function<void(pem::CaseParameters&, double)> set;  ///< the value must lie in description.range
 };
 
-/// Every number that the case has, in the order of the schema; integers, lists and switches are not among them. Lists of
-/// tables count as they are in this case.
+/// Every number that the case has, in the order of the schema; integers, lists and switches are not among them. Lists
+/// of tables count as they are in this case.
 std::vector<CaseNumber> case_numbers(const pem::CaseParameters& parameters);
 
 }  // namespace railpem::app

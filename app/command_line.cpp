@@ -24,7 +24,8 @@ constexpr int kDone = 0, kFailed = 1, kRefused = 2;
 
 std::vector<std::string> verb_names(const CLI::App& program) {
     std::vector<std::string> names;
-    for (const CLI::App* verb : program.get_subcommands([](const CLI::App*) { return true; })) names.push_back(verb->get_name());
+    for (const CLI::App* verb : program.get_subcommands([](const CLI::App*) { return true; }))
+        names.push_back(verb->get_name());
     return names;
 }
 
@@ -35,7 +36,8 @@ void check_verb(const CLI::App& program, int argc, const char* const* argv) {
     const std::string first = argv[1];
     if (first.starts_with("-") || std::find(names.begin(), names.end(), first) != names.end()) return;
     const std::string near = nearest_key(first, names);
-    throw InputError(fmt::format("railpem: unknown verb '{}'\nallowed: {}{}", first, joined(names), near.empty() ? "" : fmt::format("\ndid you mean '{}'?", near)));
+    throw InputError(fmt::format("railpem: unknown verb '{}'\nallowed: {}{}", first, joined(names),
+                                 near.empty() ? "" : fmt::format("\ndid you mean '{}'?", near)));
 }
 
 /// Options of a verb, as the user types them.
@@ -51,9 +53,12 @@ InputError refused_arguments(const CLI::App& program, const CLI::ParseError& err
     const CLI::App& verb = chosen.empty() ? program : *chosen.front();
     const std::string name = chosen.empty() ? "railpem" : "railpem " + verb.get_name();
     const std::vector<std::string> extras = verb.remaining(true);
-    if (extras.empty()) return InputError(fmt::format("{}: {}\nallowed: {}; {} --help says more", name, error.what(), joined(option_names(verb)), name));
+    if (extras.empty())
+        return InputError(fmt::format("{}: {}\nallowed: {}; {} --help says more", name, error.what(),
+                                      joined(option_names(verb)), name));
     const std::string near = nearest_key(extras.front(), option_names(verb));
-    return InputError(fmt::format("{}: unknown argument '{}'\nallowed: {}; {} --help says more{}", name, extras.front(), joined(option_names(verb)), name,
+    return InputError(fmt::format("{}: unknown argument '{}'\nallowed: {}; {} --help says more{}", name, extras.front(),
+                                  joined(option_names(verb)), name,
                                   near.empty() ? "" : fmt::format("\ndid you mean '{}'?", near)));
 }
 
@@ -69,7 +74,8 @@ int printed(int status) {
 }
 
 int run_verb(int argc, const char* const* argv) {
-    CLI::App program("Vehicle-track dynamics: random vibration of a car on a track, and what a simulation left out.", "railpem");
+    CLI::App program("Vehicle-track dynamics: random vibration of a car on a track, and what a simulation left out.",
+                     "railpem");
     Run run;
     program.set_version_flag("--version", "railpem " + program_version());
     program.require_subcommand(1);

@@ -16,18 +16,25 @@ std::string default_text(const FieldSchema& field, const void* defaults) {
     if (const bool* flag = std::get_if<bool>(&value)) return *flag ? "`true`" : "`false`";
     if (const std::int64_t* number = std::get_if<std::int64_t>(&value)) return fmt::format("{}", *number);
     if (const double* number = std::get_if<double>(&value)) return fmt::format("{:g}", *number);
-    if (const std::string* text = std::get_if<std::string>(&value)) return text->empty() ? "–" : fmt::format("`\"{}\"`", *text);
+    if (const std::string* text = std::get_if<std::string>(&value))
+        return text->empty() ? "–" : fmt::format("`\"{}\"`", *text);
     return std::get<std::vector<double>>(value).empty() ? "–" : "a list";
 }
 
 std::string type_text(const Description& description) {
     switch (description.kind) {
-        case Kind::boolean: return "true or false";
-        case Kind::integer: return "integer";
-        case Kind::number: return "number";
-        case Kind::numbers: return "number or list";
-        case Kind::choice: return "choice";
-        case Kind::text: return "text";
+        case Kind::boolean:
+            return "true or false";
+        case Kind::integer:
+            return "integer";
+        case Kind::number:
+            return "number";
+        case Kind::numbers:
+            return "number or list";
+        case Kind::choice:
+            return "choice";
+        case Kind::text:
+            return "text";
     }
     return "";
 }
@@ -46,12 +53,16 @@ std::string cell(std::string text) {
 
 void describe_fields(const TableSchema& schema, const void* defaults, std::string& page) {
     if (schema.fields.empty()) return;
-    page += "| key | unit | type | default | allowed | tolerance | what it is | source |\n|---|---|---|---|---|---|---|---|\n";
+    page +=
+        "| key | unit | type | default | allowed | tolerance | what it is | source "
+        "|\n|---|---|---|---|---|---|---|---|\n";
     for (const FieldSchema& field : schema.fields) {
         const Description& description = field.description;
-        const std::string tolerance = description.tolerance > 0.0 ? fmt::format("{:g} %", 100.0 * description.tolerance) : "";
-        page += fmt::format("| `{}` | {} | {} | {} | {} | {} | {} | {} |\n", description.key, description.unit, type_text(description), default_text(field, defaults),
-                            cell(range_text(description)), tolerance, cell(description.says), cell(description.source));
+        const std::string tolerance =
+            description.tolerance > 0.0 ? fmt::format("{:g} %", 100.0 * description.tolerance) : "";
+        page += fmt::format("| `{}` | {} | {} | {} | {} | {} | {} | {} |\n", description.key, description.unit,
+                            type_text(description), default_text(field, defaults), cell(range_text(description)),
+                            tolerance, cell(description.says), cell(description.source));
     }
     page += "\n";
 }
@@ -69,12 +80,14 @@ void describe(const TableSchema& schema, const void* defaults, const std::string
         describe(*list.table, list.example.get(), name, page);
     }
     for (const KeyedNumbersSchema& keyed : schema.keyed_numbers)
-        page += fmt::format("## `[{}]`\n\n{}. Values: numbers {}.\n\n", inner_key(path, keyed.name), keyed.says, keyed.range.text());
+        page += fmt::format("## `[{}]`\n\n{}. Values: numbers {}.\n\n", inner_key(path, keyed.name), keyed.says,
+                            keyed.range.text());
 }
 
 }  // namespace
 
-std::string describe_table(const std::string& title, const std::string& introduction, const TableSchema& schema, const void* defaults) {
+std::string describe_table(const std::string& title, const std::string& introduction, const TableSchema& schema,
+                           const void* defaults) {
     std::string page = fmt::format("# {}\n\n{}\n\n", title, introduction);
     describe(schema, defaults, "", page);
     page.pop_back();

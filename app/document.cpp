@@ -19,17 +19,26 @@ Entry* Node::find(const std::string& key) {
     return nullptr;
 }
 
-const Entry* Node::find(const std::string& key) const { return const_cast<Node*>(this)->find(key); }
+const Entry* Node::find(const std::string& key) const {
+    return const_cast<Node*>(this)->find(key);
+}
 
 std::string kind_text(NodeKind kind) {
     switch (kind) {
-        case NodeKind::boolean: return "true or false";
-        case NodeKind::integer: return "an integer";
-        case NodeKind::number: return "a number";
-        case NodeKind::text: return "a text";
-        case NodeKind::date: return "a date or time";
-        case NodeKind::array: return "a list";
-        case NodeKind::table: return "a table";
+        case NodeKind::boolean:
+            return "true or false";
+        case NodeKind::integer:
+            return "an integer";
+        case NodeKind::number:
+            return "a number";
+        case NodeKind::text:
+            return "a text";
+        case NodeKind::date:
+            return "a date or time";
+        case NodeKind::array:
+            return "a list";
+        case NodeKind::table:
+            return "a table";
     }
     return "";
 }
@@ -54,7 +63,8 @@ Node convert(const toml::node& value);
 /// Entries in the order of the document: the library keeps them sorted by name.
 std::vector<Entry> convert_entries(const toml::table& table) {
     std::vector<Entry> entries;
-    for (const auto& [key, value] : table) entries.push_back({std::string(key.str()), place_of(key.source()), convert(value)});
+    for (const auto& [key, value] : table)
+        entries.push_back({std::string(key.str()), place_of(key.source()), convert(value)});
     const auto stands_before = [](const Entry& a, const Entry& b) {
         return a.place.line != b.place.line ? a.place.line < b.place.line : a.place.column < b.place.column;
     };
@@ -66,16 +76,33 @@ Node convert(const toml::node& value) {
     Node node;
     node.place = place_of(value.source());
     switch (value.type()) {
-        case toml::node_type::boolean: node.kind = NodeKind::boolean; node.boolean = value.as_boolean()->get(); break;
-        case toml::node_type::integer: node.kind = NodeKind::integer; node.integer = value.as_integer()->get(); break;
-        case toml::node_type::floating_point: node.kind = NodeKind::number; node.number = value.as_floating_point()->get(); break;
-        case toml::node_type::string: node.kind = NodeKind::text; node.text = value.as_string()->get(); break;
+        case toml::node_type::boolean:
+            node.kind = NodeKind::boolean;
+            node.boolean = value.as_boolean()->get();
+            break;
+        case toml::node_type::integer:
+            node.kind = NodeKind::integer;
+            node.integer = value.as_integer()->get();
+            break;
+        case toml::node_type::floating_point:
+            node.kind = NodeKind::number;
+            node.number = value.as_floating_point()->get();
+            break;
+        case toml::node_type::string:
+            node.kind = NodeKind::text;
+            node.text = value.as_string()->get();
+            break;
         case toml::node_type::array:
             node.kind = NodeKind::array;
             for (const toml::node& element : *value.as_array()) node.elements.push_back(convert(element));
             break;
-        case toml::node_type::table: node.kind = NodeKind::table; node.entries = convert_entries(*value.as_table()); break;
-        default: node.kind = NodeKind::date; break;
+        case toml::node_type::table:
+            node.kind = NodeKind::table;
+            node.entries = convert_entries(*value.as_table());
+            break;
+        default:
+            node.kind = NodeKind::date;
+            break;
     }
     return node;
 }
@@ -117,7 +144,8 @@ std::string read_text(const std::string& path) {
     if (::fstat(file.descriptor, &status) != 0) refuse_unreadable(path);
     if (S_ISDIR(status.st_mode)) refuse_file(path, "is a folder", "a TOML file");
     // The size is checked on what arrives, too: a pipe or a device states none.
-    std::string text(std::min<std::size_t>(static_cast<std::size_t>(std::max<off_t>(status.st_size, 0)), kLargestFile) + 1, '\0');
+    std::string text(
+        std::min<std::size_t>(static_cast<std::size_t>(std::max<off_t>(status.st_size, 0)), kLargestFile) + 1, '\0');
     std::size_t filled = 0;
     for (;;) {
         const ssize_t arrived = ::read(file.descriptor, text.data() + filled, text.size() - filled);
@@ -150,15 +178,18 @@ Document parse_document(const std::string& name, const std::string& text) {
     try {
         document.root = convert(toml::parse(text));
     } catch (const toml::parse_error& error) {
-        throw document.error(place_of(error.source()),
-                             {.what = fmt::format("not valid TOML: {}", error.description()),
-                              .allowed = "lines such as  key = 1.5,  key = \"text\",  key = [1.0, 2.0],  [table],  # comment"});
+        throw document.error(
+            place_of(error.source()),
+            {.what = fmt::format("not valid TOML: {}", error.description()),
+             .allowed = "lines such as  key = 1.5,  key = \"text\",  key = [1.0, 2.0],  [table],  # comment"});
     }
     document.root.place = {};
     return document;
 }
 
-Document read_document(const std::string& path) { return parse_document(path, read_text(path)); }
+Document read_document(const std::string& path) {
+    return parse_document(path, read_text(path));
+}
 
 Node parse_option_value(const std::string& text, const Place& place) {
     Node node;
@@ -174,15 +205,21 @@ Node parse_option_value(const std::string& text, const Place& place) {
     }
     double number = 0.0;
     const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), number);
-    const auto is_bare = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || std::strchr("_-.", c) != nullptr; };
+    const auto is_bare = [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+               std::strchr("_-.", c) != nullptr;
+    };
     if (status == std::errc() && end == text.data() + text.size() && !text.empty()) {
         node.kind = NodeKind::number;
         node.number = number;
-    } else if (!text.empty() && text.find('\0') == std::string::npos && std::all_of(text.begin(), text.end(), is_bare)) {
+    } else if (!text.empty() && text.find('\0') == std::string::npos &&
+               std::all_of(text.begin(), text.end(), is_bare)) {
         node.kind = NodeKind::text;
         node.text = text;
     } else {
-        throw input_error("", "", place, {.what = fmt::format("'{}' is not a value", text), .allowed = "a value in TOML syntax, or a bare word"});
+        throw input_error(
+            "", "", place,
+            {.what = fmt::format("'{}' is not a value", text), .allowed = "a value in TOML syntax, or a bare word"});
     }
     node.place = place;
     return node;

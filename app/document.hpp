@@ -1,5 +1,6 @@
 #pragma once
-// A TOML file as a tree in which every key and every value knows where it stands. Nothing else in the program sees TOML.
+// A TOML file as a tree in which every key and every value knows where it stands. Nothing else in the program sees
+// TOML.
 
 #include <cstdint>
 #include <string>

@@ -34,6 +34,7 @@ struct Problem {
 ///          | ^^^^^^^^^^^
 ///     allowed: body_mass_kg, …
 ///     did you mean 'body_mass_kg'?
-InputError input_error(const std::string& file, const std::string& source_line, const Place& place, const Problem& problem);
+InputError input_error(const std::string& file, const std::string& source_line, const Place& place,
+                       const Problem& problem);
 
 }  // namespace railpem::app

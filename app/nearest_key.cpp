@@ -10,11 +10,13 @@ namespace {
 
 /// Words that units in keys are made of, the ones used here and those that somebody else may have used.
 constexpr auto kUnitWords = std::to_array<std::string_view>(
-    {"m",  "mm",  "cm",  "km",  "um",  "m2",   "m3",  "m4",  "mm2",     "mm4", "cm2", "cm3",   "cm4", "n23", "kg", "g",
-     "t",  "n",   "kn",  "mn",  "s",   "s2",   "ms",  "h",   "min",     "per", "pa",  "kpa",   "mpa", "gpa", "hz", "khz",
-     "db", "rad", "deg", "kmh", "mps", "cycles", "octave", "percent", "ratio", "nm",  "lb",  "in",    "ft"});
+    {"m",  "mm",  "cm", "km",  "um",  "m2",  "m3",  "m4",     "mm2",    "mm4",     "cm2",   "cm3", "cm4", "n23", "kg",
+     "g",  "t",   "n",  "kn",  "mn",  "s",   "s2",  "ms",     "h",      "min",     "per",   "pa",  "kpa", "mpa", "gpa",
+     "hz", "khz", "db", "rad", "deg", "kmh", "mps", "cycles", "octave", "percent", "ratio", "nm",  "lb",  "in",  "ft"});
 
-bool is_unit_word(std::string_view word) { return std::find(kUnitWords.begin(), kUnitWords.end(), word) != kUnitWords.end(); }
+bool is_unit_word(std::string_view word) {
+    return std::find(kUnitWords.begin(), kUnitWords.end(), word) != kUnitWords.end();
+}
 
 }  // namespace
 
@@ -26,7 +28,8 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
         for (std::size_t j = 1; j <= b.size(); ++j) {
             const std::size_t replaced = previous[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
             current[j] = std::min({previous[j] + 1, current[j - 1] + 1, replaced});
-            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) current[j] = std::min(current[j], before[j - 2] + 1);
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+                current[j] = std::min(current[j], before[j - 2] + 1);
         }
         std::swap(before, previous);
         std::swap(previous, current);

@@ -5,7 +5,8 @@
 
 namespace railpem::app {
 
-/// Insertions, deletions, replacements and swaps of neighbours that turn one word into the other (optimal string alignment).
+/// Insertions, deletions, replacements and swaps of neighbours that turn one word into the other (optimal string
+/// alignment).
 std::size_t edit_distance(const std::string& a, const std::string& b);
 
 /// The key without the unit that it ends in: "body_mass_kg" → "body_mass", "speeds_m_per_s" → "speeds".

@@ -17,11 +17,13 @@ namespace fs = std::filesystem;
 namespace {
 
 [[noreturn]] void refuse_folder(const fs::path& folder, const std::string& reason) {
-    throw InputError(fmt::format("--out {}: cannot be written: {}\nallowed: a folder that can be written, or a new one", folder.string(), reason));
+    throw InputError(fmt::format("--out {}: cannot be written: {}\nallowed: a folder that can be written, or a new one",
+                                 folder.string(), reason));
 }
 
 [[noreturn]] void fail_file(const fs::path& file, int error_number) {
-    throw OutputError(fmt::format("cannot write {}: {}\nnothing of this run was kept", file.string(), std::strerror(error_number)));
+    throw OutputError(
+        fmt::format("cannot write {}: {}\nnothing of this run was kept", file.string(), std::strerror(error_number)));
 }
 
 /// Writes and flushes to the disk, so that a full disk is found here and not after the run has said that all is well.
@@ -56,7 +58,9 @@ OutputFolder::OutputFolder(const fs::path& folder) : folder_(folder.empty() ? fs
     fs::remove(probe, ignored);
 }
 
-OutputFolder::~OutputFolder() { remove_all(); }
+OutputFolder::~OutputFolder() {
+    remove_all();
+}
 
 void OutputFolder::make_folders() {
     std::vector<fs::path> missing;

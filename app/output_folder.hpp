@@ -13,8 +13,8 @@ class OutputError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// A folder that receives all files of a run or none. Files are written beside their final names and renamed together by
-/// commit(); without it the destructor removes what was written, and the folders that were made for it.
+/// A folder that receives all files of a run or none. Files are written beside their final names and renamed together
+/// by commit(); without it the destructor removes what was written, and the folders that were made for it.
 class OutputFolder {
   public:
     /// Makes the folder where it does not exist and makes sure that files can be made in it.

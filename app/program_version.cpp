@@ -2,6 +2,8 @@
 
 namespace railpem::app {
 
-std::string program_version() { return RAILPEM_VERSION; }
+std::string program_version() {
+    return RAILPEM_VERSION;
+}
 
 }  // namespace railpem::app

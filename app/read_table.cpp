@@ -10,9 +10,13 @@ namespace railpem::app {
 
 using namespace parameters;
 
-std::string table_text(const std::string& path) { return path.empty() ? "the file" : "[" + path + "]"; }
+std::string table_text(const std::string& path) {
+    return path.empty() ? "the file" : "[" + path + "]";
+}
 
-std::string inner_key(const std::string& path, const std::string& name) { return path.empty() ? name : path + "." + name; }
+std::string inner_key(const std::string& path, const std::string& name) {
+    return path.empty() ? name : path + "." + name;
+}
 
 Problem unknown_key(const Entry& entry, const TableSchema& table, const std::string& path, const TableSchema& root) {
     const bool is_table = entry.node.kind == NodeKind::table;
@@ -30,22 +34,28 @@ struct Reading {
     const TableSchema& root;
 };
 
-[[noreturn]] void refuse(const Reading& reading, const Place& place, const Problem& problem) { throw reading.document.error(place, problem); }
+[[noreturn]] void refuse(const Reading& reading, const Place& place, const Problem& problem) {
+    throw reading.document.error(place, problem);
+}
 
 [[noreturn]] void refuse_kind(const Reading& reading, const Entry& entry, const Description& description) {
     refuse(reading, entry.node.place,
-           {.what = fmt::format("'{}' cannot be {}", entry.key, kind_text(entry.node.kind)), .allowed = allowed_text(description)});
+           {.what = fmt::format("'{}' cannot be {}", entry.key, kind_text(entry.node.kind)),
+            .allowed = allowed_text(description)});
 }
 
 /// A number in its range, or the end of the reading.
 double checked_number(const Reading& reading, const Entry& entry, const Node& node, const Description& description) {
     if (node.kind != NodeKind::number && node.kind != NodeKind::integer) {
         if (node.kind == entry.node.kind) refuse_kind(reading, entry, description);
-        refuse(reading, node.place, {.what = fmt::format("'{}' cannot hold {}", entry.key, kind_text(node.kind)), .allowed = allowed_text(description)});
+        refuse(reading, node.place,
+               {.what = fmt::format("'{}' cannot hold {}", entry.key, kind_text(node.kind)),
+                .allowed = allowed_text(description)});
     }
     const double value = node.kind == NodeKind::integer ? static_cast<double>(node.integer) : node.number;
     if (!description.range.contains(value))
-        refuse(reading, node.place, {.what = fmt::format("'{}' cannot be {:g}", entry.key, value), .allowed = allowed_text(description)});
+        refuse(reading, node.place,
+               {.what = fmt::format("'{}' cannot be {:g}", entry.key, value), .allowed = allowed_text(description)});
     return value;
 }
 
@@ -59,7 +69,8 @@ Value read_value(const Reading& reading, const Entry& entry, const Description& 
             if (node.kind != NodeKind::integer) refuse_kind(reading, entry, description);
             checked_number(reading, entry, node, description);
             return node.integer;
-        case Kind::number: return checked_number(reading, entry, node, description);
+        case Kind::number:
+            return checked_number(reading, entry, node, description);
         case Kind::text:
             if (node.kind != NodeKind::text) refuse_kind(reading, entry, description);
             return node.text;
@@ -76,7 +87,8 @@ Value read_value(const Reading& reading, const Entry& entry, const Description& 
         case Kind::numbers: {
             std::vector<double> values;
             if (node.kind != NodeKind::array) values.push_back(checked_number(reading, entry, node, description));
-            for (const Node& element : node.elements) values.push_back(checked_number(reading, entry, element, description));
+            for (const Node& element : node.elements)
+                values.push_back(checked_number(reading, entry, element, description));
             return values;
         }
     }
@@ -84,7 +96,8 @@ Value read_value(const Reading& reading, const Entry& entry, const Description& 
 }
 
 /// [tolerance]: nested tables or quoted dotted keys, each naming a number of the file.
-void read_keyed_numbers(const Reading& reading, const Node& node, const KeyedNumbersSchema& schema, const std::string& prefix, std::map<std::string, double>& values) {
+void read_keyed_numbers(const Reading& reading, const Node& node, const KeyedNumbersSchema& schema,
+                        const std::string& prefix, std::map<std::string, double>& values) {
     for (const Entry& entry : node.entries) {
         const std::string key = inner_key(prefix, entry.key);
         if (entry.node.kind == NodeKind::table) {
@@ -140,19 +153,29 @@ struct TableReader {
     void refuse_unless_table(const Entry& entry) const {
         if (entry.node.kind == NodeKind::table) return;
         const std::string header = "[" + inner_key(path, entry.key) + "]";
-        if (entry.node.kind == NodeKind::array && !entry.node.elements.empty() && entry.node.elements.front().kind == NodeKind::table)
-            refuse(reading, entry.place, {.what = fmt::format("{} stands only once", header), .allowed = fmt::format("one table {}", header)});
-        refuse(reading, entry.node.place, {.what = fmt::format("'{}' is a table, not {}", entry.key, kind_text(entry.node.kind)), .allowed = fmt::format("one table {}", header)});
+        if (entry.node.kind == NodeKind::array && !entry.node.elements.empty() &&
+            entry.node.elements.front().kind == NodeKind::table)
+            refuse(
+                reading, entry.place,
+                {.what = fmt::format("{} stands only once", header), .allowed = fmt::format("one table {}", header)});
+        refuse(reading, entry.node.place,
+               {.what = fmt::format("'{}' is a table, not {}", entry.key, kind_text(entry.node.kind)),
+                .allowed = fmt::format("one table {}", header)});
     }
 
     void read_list(const Entry& entry, const TableListSchema& list) const {
         const std::string name = inner_key(path, list.name);
         const std::string allowed = fmt::format("tables [[{}]], as many as there are", name);
         if (entry.node.kind != NodeKind::array)
-            refuse(reading, entry.place, {.what = fmt::format("'{}' is a list of tables, not {}", entry.key, kind_text(entry.node.kind)), .allowed = allowed});
+            refuse(reading, entry.place,
+                   {.what = fmt::format("'{}' is a list of tables, not {}", entry.key, kind_text(entry.node.kind)),
+                    .allowed = allowed});
         for (const Node& element : entry.node.elements) {
             if (element.kind != NodeKind::table)
-                refuse(reading, element.place, {.what = fmt::format("'{}' is a list of tables, it cannot hold {}", entry.key, kind_text(element.kind)), .allowed = allowed});
+                refuse(reading, element.place,
+                       {.what = fmt::format("'{}' is a list of tables, it cannot hold {}", entry.key,
+                                            kind_text(element.kind)),
+                        .allowed = allowed});
             TableReader{reading, *list.table, name, list.append(owner)}.read(element);
         }
     }
@@ -168,7 +191,8 @@ struct TableReader {
             const Description& description = field.description;
             if (!description.required || node.find(description.key)) continue;
             refuse(reading, node.place,
-                   {.what = fmt::format("{} has no '{}' ({})", table_text(path), description.key, description.says), .allowed = allowed_text(description)});
+                   {.what = fmt::format("{} has no '{}' ({})", table_text(path), description.key, description.says),
+                    .allowed = allowed_text(description)});
         }
         for (const SubtableSchema& child : schema.tables) {
             if (node.find(child.name)) continue;
@@ -194,13 +218,15 @@ InputError refused(const Document& document, const ParameterError& error) {
         const Entry* entry = node->kind == NodeKind::table ? node->find(step.name) : nullptr;
         if (!entry) break;
         node = &entry->node;
-        if (node->kind == NodeKind::array && !node->elements.empty() && node->elements.front().kind == NodeKind::table) {
+        if (node->kind == NodeKind::array && !node->elements.empty() &&
+            node->elements.front().kind == NodeKind::table) {
             if (step.element > node->elements.size()) break;
             node = &node->elements[step.element > 0 ? step.element - 1 : 0];
         }
         place = node->place;
     }
-    return document.error(place, {.what = fmt::format("{}: {}", error.key(), error.problem()), .allowed = error.allowed()});
+    return document.error(place,
+                          {.what = fmt::format("{}: {}", error.key(), error.problem()), .allowed = error.allowed()});
 }
 
 }  // namespace railpem::app

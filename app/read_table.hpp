@@ -8,8 +8,8 @@
 
 namespace railpem::app {
 
-/// Fills `owner` (the struct the schema was built for, with its defaults) from the tree of a file. Every key must be known,
-/// of the right kind and in its range, every required key present. Throws InputError.
+/// Fills `owner` (the struct the schema was built for, with its defaults) from the tree of a file. Every key must be
+/// known, of the right kind and in its range, every required key present. Throws InputError.
 void read_table(const Document& document, const TableSchema& schema, void* owner);
 
 /// The message for a broken rule of physics: at the value it names, else at the innermost table around it.

@@ -28,7 +28,8 @@ Json response_summary(const ResponseSpectra& speed, std::size_t response) {
 Json comfort_summary(const ResponseSpectra& speed) {
     Json comfort = Json::object();
     for (const char* where : {"body", "body_front", "body_rear"}) {
-        const std::optional<double> weighted = spectra::weighted_rms_iso2631(speed.frequency_hz, speed.psd[pem::response_index(where)]);
+        const std::optional<double> weighted =
+            spectra::weighted_rms_iso2631(speed.frequency_hz, speed.psd[pem::response_index(where)]);
         comfort[where] = {{"weighted_rms_iso2631_m_per_s2", weighted ? Json(*weighted) : Json(nullptr)}};
     }
     return comfort;
@@ -38,7 +39,8 @@ Json speed_summary(const ResponseSpectra& speed) {
     Json accelerations = Json::object(), forces = Json::object();
     for (std::size_t response = 0; response < speed.psd.size(); ++response) {
         const pem::ResponseName& name = pem::response_names()[response];
-        (name.quantity == pem::Quantity::acceleration ? accelerations : forces)[name.where] = response_summary(speed, response);
+        (name.quantity == pem::Quantity::acceleration ? accelerations : forces)[name.where] =
+            response_summary(speed, response);
     }
     return {{"speed_m_per_s", speed.speed_m_per_s},
             {"acceleration", std::move(accelerations)},
@@ -49,13 +51,18 @@ Json speed_summary(const ResponseSpectra& speed) {
 
 }  // namespace
 
-std::string summary_text(const std::string& case_name, const pem::CaseParameters& parameters, const std::vector<ResponseSpectra>& speeds) {
+std::string summary_text(const std::string& case_name, const pem::CaseParameters& parameters,
+                         const std::vector<ResponseSpectra>& speeds) {
     const std::vector<double>& lines = speeds.front().frequency_hz;
     Json summary = {{"case", case_name},
                     {"title", parameters.title},
                     {"railpem_version", program_version()},
                     {"wheel_load_n", pem::wheel_load_n(parameters)},
-                    {"frequency", {{"from_hz", lines.front()}, {"to_hz", lines.back()}, {"step_hz", parameters.frequency.step_hz}, {"lines", lines.size()}}},
+                    {"frequency",
+                     {{"from_hz", lines.front()},
+                      {"to_hz", lines.back()},
+                      {"step_hz", parameters.frequency.step_hz},
+                      {"lines", lines.size()}}},
                     {"speeds", Json::array()}};
     for (const ResponseSpectra& speed : speeds) summary["speeds"].push_back(speed_summary(speed));
     return summary.dump(2) + "\n";

@@ -26,8 +26,8 @@ std::vector<std::string> psd_column_names();
 /// The *.psd.csv table: frequency_hz and the PSDs; with several speeds speed_m_per_s first, speed after speed.
 NumberTable psd_table(const std::vector<ResponseSpectra>& speeds);
 
-/// The *.bands.csv table: centre_hz and third-octave levels in dB re 1e-6 m/s² of the accelerations; with several speeds
-/// speed_m_per_s first. Bands that the frequency lines do not cover are left out.
+/// The *.bands.csv table: centre_hz and third-octave levels in dB re 1e-6 m/s² of the accelerations; with several
+/// speeds speed_m_per_s first. Bands that the frequency lines do not cover are left out.
 NumberTable bands_table(const std::vector<ResponseSpectra>& speeds);
 
 /// The *.static.csv table: one row per pad.

@@ -32,23 +32,34 @@ std::size_t element_number(const std::string& text) {
 
 /// Dotted keys of all fields below a table for which `wanted` holds.
 template <class Wanted>
-void collect_keys(const TableSchema& schema, const std::string& prefix, const Wanted& wanted, std::vector<std::string>& keys) {
+void collect_keys(const TableSchema& schema, const std::string& prefix, const Wanted& wanted,
+                  std::vector<std::string>& keys) {
     for (const FieldSchema& field : schema.fields)
         if (wanted(field.description)) keys.push_back(prefix + field.description.key);
-    for (const SubtableSchema& child : schema.tables) collect_keys(*child.table, prefix + child.name + ".", wanted, keys);
-    for (const TableListSchema& child : schema.lists) collect_keys(*child.table, prefix + child.name + ".", wanted, keys);
+    for (const SubtableSchema& child : schema.tables)
+        collect_keys(*child.table, prefix + child.name + ".", wanted, keys);
+    for (const TableListSchema& child : schema.lists)
+        collect_keys(*child.table, prefix + child.name + ".", wanted, keys);
 }
 
-bool is_number(const Description& description) { return description.kind == Kind::number || description.kind == Kind::numbers; }
+bool is_number(const Description& description) {
+    return description.kind == Kind::number || description.kind == Kind::numbers;
+}
 
 }  // namespace
 
 const FieldSchema* TableSchema::field(const std::string& key) const {
     return find_named(fields, key, [](const FieldSchema& item) -> const std::string& { return item.description.key; });
 }
-const SubtableSchema* TableSchema::table(const std::string& name) const { return find_named(tables, name, kName); }
-const TableListSchema* TableSchema::list(const std::string& name) const { return find_named(lists, name, kName); }
-const KeyedNumbersSchema* TableSchema::keyed(const std::string& name) const { return find_named(keyed_numbers, name, kName); }
+const SubtableSchema* TableSchema::table(const std::string& name) const {
+    return find_named(tables, name, kName);
+}
+const TableListSchema* TableSchema::list(const std::string& name) const {
+    return find_named(lists, name, kName);
+}
+const KeyedNumbersSchema* TableSchema::keyed(const std::string& name) const {
+    return find_named(keyed_numbers, name, kName);
+}
 
 std::vector<std::string> TableSchema::names() const {
     std::vector<std::string> all;
@@ -59,19 +70,27 @@ std::vector<std::string> TableSchema::names() const {
     return all;
 }
 
-std::string joined(const std::vector<std::string>& names) { return fmt::format("{}", fmt::join(names, ", ")); }
+std::string joined(const std::vector<std::string>& names) {
+    return fmt::format("{}", fmt::join(names, ", "));
+}
 
 std::string allowed_text(const Description& description) {
     const std::string unit = description.unit.empty() || description.unit == "1" ? "" : ", in " + description.unit;
     const std::string range = description.range.text();
     const bool any = range == any_number().text();
     switch (description.kind) {
-        case Kind::boolean: return "true or false";
-        case Kind::text: return "a text in quotes";
-        case Kind::choice: return fmt::format("\"{}\"", fmt::join(description.choices, "\", \""));
-        case Kind::integer: return any ? "an integer" : "an integer " + range;
-        case Kind::number: return (any ? range : "a number " + range) + unit;
-        case Kind::numbers: return (any ? "numbers" : "numbers " + range) + unit + " (one, or a list)";
+        case Kind::boolean:
+            return "true or false";
+        case Kind::text:
+            return "a text in quotes";
+        case Kind::choice:
+            return fmt::format("\"{}\"", fmt::join(description.choices, "\", \""));
+        case Kind::integer:
+            return any ? "an integer" : "an integer " + range;
+        case Kind::number:
+            return (any ? range : "a number " + range) + unit;
+        case Kind::numbers:
+            return (any ? "numbers" : "numbers " + range) + unit + " (one, or a list)";
     }
     return "";
 }
@@ -82,7 +101,8 @@ std::vector<Step> key_steps(const std::string& key) {
         const std::size_t end = std::min(key.find('.', begin), key.size());
         std::string name = key.substr(begin, end - begin);
         begin = end + 1;
-        if (const std::size_t number = element_number(name); number > 0 && !steps.empty() && steps.back().element == 0) {
+        if (const std::size_t number = element_number(name);
+            number > 0 && !steps.empty() && steps.back().element == 0) {
             steps.back().element = number;
             continue;
         }
@@ -128,7 +148,8 @@ std::vector<std::string> number_keys(const TableSchema& schema) {
 
 std::vector<std::string> keys_named(const TableSchema& schema, const std::string& name) {
     std::vector<std::string> keys;
-    collect_keys(schema, "", [&](const Description& description) { return description.key == name; }, keys);
+    collect_keys(
+        schema, "", [&](const Description& description) { return description.key == name; }, keys);
     return keys;
 }
 
@@ -137,7 +158,8 @@ std::string did_you_mean(const std::string& unknown, const TableSchema& table, c
     if (!near.empty()) {
         const FieldSchema* field = table.field(near);
         const bool other_unit = field && near != unknown && without_unit(near) == without_unit(unknown);
-        return other_unit ? fmt::format("did you mean '{}', in {}?", near, field->description.unit) : fmt::format("did you mean '{}'?", near);
+        return other_unit ? fmt::format("did you mean '{}', in {}?", near, field->description.unit)
+                          : fmt::format("did you mean '{}'?", near);
     }
     const std::vector<std::string> elsewhere = keys_named(root, unknown);
     return elsewhere.empty() ? "" : fmt::format("did you mean '{}'?", fmt::join(elsewhere, "' or '"));

@@ -68,36 +68,49 @@ class Table {
   public:
     explicit Table(const parameters::Fields<Owner>& fields) : schema_(std::make_shared<TableSchema>()) {
         for (const parameters::Field<Owner>& field : fields)
-            schema_->fields.push_back({field.description, [get = field.get](const void* owner) { return get(*static_cast<const Owner*>(owner)); },
-                                       [set = field.set](void* owner, const parameters::Value& value) { set(*static_cast<Owner*>(owner), value); }});
+            schema_->fields.push_back(
+                {field.description,
+                 [get = field.get](const void* owner) { return get(*static_cast<const Owner*>(owner)); },
+                 [set = field.set](void* owner, const parameters::Value& value) {
+                     set(*static_cast<Owner*>(owner), value);
+                 }});
     }
 
     template <class Child>
-    Table& table(std::string name, Child Owner::* member, std::string says, const Table<Child>& child) {
-        schema_->tables.push_back({std::move(name), std::move(says), child.schema(), [member](void* owner) -> void* { return &(static_cast<Owner*>(owner)->*member); }});
+    Table& table(std::string name, Child Owner::*member, std::string says, const Table<Child>& child) {
+        schema_->tables.push_back({std::move(name), std::move(says), child.schema(),
+                                   [member](void* owner) -> void* { return &(static_cast<Owner*>(owner)->*member); }});
         return *this;
     }
 
     template <class Child>
-    Table& list(std::string name, std::vector<Child> Owner::* member, std::string says, const Table<Child>& child) {
-        schema_->lists.push_back({std::move(name), std::move(says), child.schema(),
-                                  [member](const void* owner) { return (static_cast<const Owner*>(owner)->*member).size(); },
-                                  [member](void* owner, std::size_t index) -> void* { return &(static_cast<Owner*>(owner)->*member)[index]; },
-                                  [member](void* owner) -> void* { return &(static_cast<Owner*>(owner)->*member).emplace_back(); },
-                                  std::make_shared<Child>()});
+    Table& list(std::string name, std::vector<Child> Owner::*member, std::string says, const Table<Child>& child) {
+        schema_->lists.push_back(
+            {std::move(name), std::move(says), child.schema(),
+             [member](const void* owner) { return (static_cast<const Owner*>(owner)->*member).size(); },
+             [member](void* owner, std::size_t index) -> void* {
+                 return &(static_cast<Owner*>(owner)->*member)[index];
+             },
+             [member](void* owner) -> void* { return &(static_cast<Owner*>(owner)->*member).emplace_back(); },
+             std::make_shared<Child>()});
         return *this;
     }
 
-    Table& keyed_numbers(std::string name, std::map<std::string, double> Owner::* member, std::string says, parameters::Range range) {
-        schema_->keyed_numbers.push_back({std::move(name), std::move(says), range, [member](void* owner) -> auto& { return static_cast<Owner*>(owner)->*member; }});
-        return *this;
-    }
+    Table& keyed_numbers(std::string name, std::map<std::string, double> Owner::*member, std::string says,
+                         parameters::Range range) {
+        schema_->keyed_numbers.push_back({std::move(name), std::move(says), range, [member](void* owner) -> auto& { return static_cast<Owner*>(owner)->*member;
+    }});
+return *this;
+}  // namespace railpem::app
 
-    std::shared_ptr<const TableSchema> schema() const { return schema_; }
+std::shared_ptr<const TableSchema> schema() const {
+    return schema_;
+}
 
-  private:
-    std::shared_ptr<TableSchema> schema_;
-};
+private:
+std::shared_ptr<TableSchema> schema_;
+}
+;
 
 /// What a field may be, for messages and the reference page: "a number greater than 0, in kg".
 std::string allowed_text(const parameters::Description& description);

@@ -24,7 +24,8 @@ int describe(const std::string& subject) {
         std::vector<std::string> names;
         for (const auto& [name, unused] : pages()) names.push_back(name);
         const std::string near = nearest_key(subject, names);
-        throw InputError(fmt::format("railpem describe: no page about '{}'\nallowed: {}{}", subject, joined(names), near.empty() ? "" : fmt::format("\ndid you mean '{}'?", near)));
+        throw InputError(fmt::format("railpem describe: no page about '{}'\nallowed: {}{}", subject, joined(names),
+                                     near.empty() ? "" : fmt::format("\ndid you mean '{}'?", near)));
     }
     std::fputs(page->second().c_str(), stdout);
     return 0;

@@ -32,8 +32,9 @@ std::vector<CaseFile> read_cases(const SolveRequest& request) {
         cases.push_back(read_case(path, request.options));
         const auto [earlier, is_new] = taken.emplace(cases.back().name, path);
         if (!is_new)
-            throw InputError(fmt::format("{}: its results would be called {}.psd.csv, like those of {}\nallowed: case files of different names", path, cases.back().name,
-                                         earlier->second));
+            throw InputError(fmt::format(
+                "{}: its results would be called {}.psd.csv, like those of {}\nallowed: case files of different names",
+                path, cases.back().name, earlier->second));
     }
     return cases;
 }
@@ -45,7 +46,8 @@ std::vector<ResponseSpectra> solve_speeds(const CaseFile& file, int threads) {
     for (std::size_t i = 0; i < speeds.size(); ++i) {
         const auto progress = [&](std::size_t done, std::size_t all) { bar.show(i * all + done, speeds.size() * all); };
         try {
-            spectra.push_back(response_spectra(pem::solve_case(file.parameters, speeds[i], {.threads = threads, .progress = progress})));
+            spectra.push_back(response_spectra(
+                pem::solve_case(file.parameters, speeds[i], {.threads = threads, .progress = progress})));
         } catch (const parameters::ParameterError& error) {
             throw refused(file.document, error);
         }
@@ -70,12 +72,17 @@ int solve(const SolveRequest& request) {
 
 void add_solve(CLI::App& program, Run& run) {
     const auto request = std::make_shared<SolveRequest>();
-    CLI::App* verb = program.add_subcommand("solve", "spectra of every response: DIR/<case>.psd.csv and DIR/<case>.summary.json");
+    CLI::App* verb =
+        program.add_subcommand("solve", "spectra of every response: DIR/<case>.psd.csv and DIR/<case>.summary.json");
     verb->add_option("CASE", request->cases, "case files")->required();
     verb->add_option("--out", request->folder, "folder for the results")->required()->type_name("DIR");
     verb->add_flag("--bands", request->bands, "also DIR/<case>.bands.csv: third-octave levels");
-    verb->add_option("--threads", request->threads, "threads; without it as many as the machine has")->check(CLI::Range(1, 1024))->type_name("N");
-    verb->add_option("--set", request->options, "override a key of every case: key=value")->type_name("KEY=VALUE")->allow_extra_args(false);
+    verb->add_option("--threads", request->threads, "threads; without it as many as the machine has")
+        ->check(CLI::Range(1, 1024))
+        ->type_name("N");
+    verb->add_option("--set", request->options, "override a key of every case: key=value")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
     verb->callback([request, &run] { run = [request] { return solve(*request); }; });
 }
 

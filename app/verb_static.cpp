@@ -32,7 +32,8 @@ int solve_static(const StaticRequest& request) {
     const track::StaticEquilibrium equilibrium = equilibrium_of(file);
     folder.write(file.name + ".static.csv", csv_text(static_table(equilibrium)));
     folder.commit();
-    for (const std::string& warning : equilibrium.warnings) std::fputs((file.name + ": " + warning + "\n").c_str(), stderr);
+    for (const std::string& warning : equilibrium.warnings)
+        std::fputs((file.name + ": " + warning + "\n").c_str(), stderr);
     return 0;
 }
 
@@ -40,10 +41,13 @@ int solve_static(const StaticRequest& request) {
 
 void add_static(CLI::App& program, Run& run) {
     const auto request = std::make_shared<StaticRequest>();
-    CLI::App* verb = program.add_subcommand("static", "compression and stiffness of every pad under the standing vehicle: DIR/<case>.static.csv");
+    CLI::App* verb = program.add_subcommand(
+        "static", "compression and stiffness of every pad under the standing vehicle: DIR/<case>.static.csv");
     verb->add_option("CASE", request->path, "case file")->required();
     verb->add_option("--out", request->folder, "folder for the results")->required()->type_name("DIR");
-    verb->add_option("--set", request->options, "override a key of the case: key=value")->type_name("KEY=VALUE")->allow_extra_args(false);
+    verb->add_option("--set", request->options, "override a key of the case: key=value")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
     verb->callback([request, &run] { run = [request] { return solve_static(*request); }; });
 }
 

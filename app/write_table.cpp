@@ -26,7 +26,8 @@ std::string quoted(const std::string& text) {
 std::string list_text(const std::vector<double>& values) {
     if (values.size() == 1) return fmt::format("{}", values.front());
     std::string text = "[";
-    for (std::size_t i = 0; i < values.size(); ++i) text += fmt::format("{}{}", i == 0 ? "" : i % 8 == 0 ? ",\n  " : ", ", values[i]);
+    for (std::size_t i = 0; i < values.size(); ++i)
+        text += fmt::format("{}{}", i == 0 ? "" : i % 8 == 0 ? ",\n  " : ", ", values[i]);
     return text + "]";
 }
 
@@ -42,14 +43,16 @@ struct ValueText {
 struct TableWriter {
     std::string& text;
 
-    void table(const TableSchema& schema, const void* owner, const void* defaults, const std::string& path, const std::string& header, bool always) {
+    void table(const TableSchema& schema, const void* owner, const void* defaults, const std::string& path,
+               const std::string& header, bool always) {
         std::string lines;
         for (const FieldSchema& field : schema.fields) {
             const Value value = field.get(owner);
             if (!field.description.required && value == field.get(defaults)) continue;
             lines += fmt::format("{} = {}\n", field.description.key, std::visit(ValueText{}, value));
         }
-        if (!lines.empty() || always) text += (text.empty() ? "" : "\n") + (header.empty() ? "" : header + "\n") + lines;
+        if (!lines.empty() || always)
+            text += (text.empty() ? "" : "\n") + (header.empty() ? "" : header + "\n") + lines;
         for (const SubtableSchema& child : schema.tables) {
             const std::string name = inner_key(path, child.name);
             table(*child.table, member(child, owner), member(child, defaults), name, "[" + name + "]", false);
@@ -57,7 +60,8 @@ struct TableWriter {
         for (const TableListSchema& list : schema.lists) {
             const std::string name = inner_key(path, list.name);
             for (std::size_t i = 0; i < list.size(owner); ++i)
-                table(*list.table, list.at(const_cast<void*>(owner), i), list.example.get(), name, "[[" + name + "]]", true);
+                table(*list.table, list.at(const_cast<void*>(owner), i), list.example.get(), name, "[[" + name + "]]",
+                      true);
         }
         for (const KeyedNumbersSchema& keyed : schema.keyed_numbers) numbers(keyed, owner, inner_key(path, keyed.name));
     }
@@ -70,7 +74,9 @@ struct TableWriter {
     }
 
     /// Schemas hand out members of what is written to; here they are only read.
-    static const void* member(const SubtableSchema& child, const void* owner) { return child.member(const_cast<void*>(owner)); }
+    static const void* member(const SubtableSchema& child, const void* owner) {
+        return child.member(const_cast<void*>(owner));
+    }
 };
 
 }  // namespace
