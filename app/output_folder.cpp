@@ -78,7 +78,7 @@ void OutputFolder::make_folders() {
             refuse_folder(folder_, failure.message());
         }
     }
-    if (!fs::is_directory(folder_, status)) refuse_folder(folder_, "not a folder");
+    if (!fs::is_directory(folder_, status)) refuse_folder(folder_, std::strerror(ENOTDIR));
 }
 
 void OutputFolder::write(const std::string& name, const std::string& content) {
@@ -91,7 +91,8 @@ void OutputFolder::write(const std::string& name, const std::string& content) {
 void OutputFolder::commit() {
     std::error_code failure;
     for (const File& file : files_)
-        if (fs::is_directory(file.final_name, failure)) fail_file(file.final_name, "a folder of that name is in the way", kNothingKept);
+        if (fs::is_directory(file.final_name, failure))
+            fail_file(file.final_name, "a folder of that name is in the way", kNothingKept);
     for (const File& file : files_) {
         fs::rename(file.temporary, file.final_name, failure);
         if (failure) fail_file(file.final_name, failure.message(), "");

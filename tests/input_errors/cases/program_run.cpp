@@ -24,8 +24,8 @@ std::string text_of(const fs::path& file) {
 }
 
 /// In the child: never returns.
-void become_program(const fs::path& folder, const std::vector<std::string>& arguments, std::size_t largest_file, const fs::path& output,
-                    const fs::path& message) {
+void become_program(const fs::path& folder, const std::vector<std::string>& arguments, std::size_t largest_file,
+                    const fs::path& output, const fs::path& message) {
     std::vector<char*> words;
     std::string program = RAILPEM_PROGRAM;
     words.push_back(program.data());
@@ -33,7 +33,9 @@ void become_program(const fs::path& folder, const std::vector<std::string>& argu
     words.push_back(nullptr);
     const int out = ::open(output.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
     const int err = ::open(message.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
-    if (out < 0 || err < 0 || ::dup2(out, STDOUT_FILENO) < 0 || ::dup2(err, STDERR_FILENO) < 0 || ::chdir(folder.c_str()) != 0) ::_exit(127);
+    if (out < 0 || err < 0 || ::dup2(out, STDOUT_FILENO) < 0 || ::dup2(err, STDERR_FILENO) < 0 ||
+        ::chdir(folder.c_str()) != 0)
+        ::_exit(127);
     const rlimit limit{largest_file, largest_file};
     if (largest_file > 0 && ::setrlimit(RLIMIT_FSIZE, &limit) != 0) ::_exit(127);
     ::execv(words.front(), words.data());
@@ -55,18 +57,24 @@ ProgramFolder::~ProgramFolder() {
     fs::remove(folder_.string() + ".err", ignored);
 }
 
-void ProgramFolder::write(const std::string& name, const std::string& text) const { std::ofstream(folder_ / name, std::ios::binary) << text; }
+void ProgramFolder::write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name, std::ios::binary) << text;
+}
 
-std::string ProgramFolder::read(const std::string& name) const { return text_of(folder_ / name); }
+std::string ProgramFolder::read(const std::string& name) const {
+    return text_of(folder_ / name);
+}
 
 std::vector<std::string> ProgramFolder::content() const {
     std::vector<std::string> names;
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder_)) names.push_back(fs::relative(entry.path(), folder_).string());
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder_))
+        names.push_back(fs::relative(entry.path(), folder_).string());
     std::sort(names.begin(), names.end());
     return names;
 }
 
-Outcome ProgramFolder::run(const std::vector<std::string>& arguments, std::size_t largest_file, const std::string& output) const {
+Outcome ProgramFolder::run(const std::vector<std::string>& arguments, std::size_t largest_file,
+                           const std::string& output) const {
     const fs::path out = output.empty() ? fs::path(folder_.string() + ".out") : fs::path(output);
     const fs::path err = folder_.string() + ".err";
     const pid_t child = ::fork();
@@ -74,7 +82,8 @@ Outcome ProgramFolder::run(const std::vector<std::string>& arguments, std::size_
     if (child == 0) become_program(folder_, arguments, largest_file, out, err);
     int status = 0;
     ::waitpid(child, &status, 0);
-    Outcome outcome{.status = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status), .output = "", .message = text_of(err)};
+    Outcome outcome{
+        .status = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status), .output = "", .message = text_of(err)};
     if (output.empty()) outcome.output = text_of(out);
     return outcome;
 }

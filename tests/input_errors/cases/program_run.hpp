@@ -8,9 +8,9 @@
 namespace railpem::tests {
 
 struct Outcome {
-    int status = -1;       ///< exit status, or −signal
-    std::string output;    ///< standard output
-    std::string message;   ///< standard error
+    int status = -1;      ///< exit status, or −signal
+    std::string output;   ///< standard output
+    std::string message;  ///< standard error
 };
 
 /// A temporary folder that the program runs in, so that names in its messages are short and the same everywhere.
@@ -29,7 +29,8 @@ class ProgramFolder {
 
     /// Runs railpem with these arguments. `largest_file`: bytes that a file may grow to, 0 for no limit.
     /// `output`: where the standard output goes instead of into the outcome.
-    Outcome run(const std::vector<std::string>& arguments, std::size_t largest_file = 0, const std::string& output = "") const;
+    Outcome run(const std::vector<std::string>& arguments, std::size_t largest_file = 0,
+                const std::string& output = "") const;
 
   private:
     std::filesystem::path folder_;

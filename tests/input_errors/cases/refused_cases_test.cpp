@@ -8,7 +8,8 @@ namespace railpem::tests {
 namespace {
 
 constexpr const char* kVehicleKeys =
-    "body_mass_kg, body_pitch_inertia_kg_m2, bogie_mass_kg, bogie_pitch_inertia_kg_m2, wheelset_mass_kg, bogie_distance_m, wheelbase_m, "
+    "body_mass_kg, body_pitch_inertia_kg_m2, bogie_mass_kg, bogie_pitch_inertia_kg_m2, wheelset_mass_kg, "
+    "bogie_distance_m, wheelbase_m, "
     "wheel_radius_m, payload_kg, primary, secondary, body_bending, wheelset_bending, bogie_mounted_mass";
 
 /// Solves the text as case.toml and expects this message, and nothing written.
@@ -30,7 +31,8 @@ TEST(RefusedCases, TheMinimalCaseItselfIsSolved) {
     const Outcome outcome = folder.run({"solve", "case.toml", "--out", "new/results"});
     EXPECT_EQ(outcome.status, 0);
     EXPECT_EQ(outcome.message, "");
-    EXPECT_EQ(folder.content(), (std::vector<std::string>{"case.toml", "new", "new/results", "new/results/case.psd.csv", "new/results/case.summary.json"}));
+    EXPECT_EQ(folder.content(), (std::vector<std::string>{"case.toml", "new", "new/results", "new/results/case.psd.csv",
+                                                          "new/results/case.summary.json"}));
 }
 
 TEST(RefusedCases, MissingKey) {
@@ -58,7 +60,8 @@ TEST(RefusedCases, MisspelledKey) {
                    std::string("case.toml:2:1: unknown key 'body_mas_kg' in [vehicle]\n"
                                "  2 | body_mas_kg = 38500.0\n"
                                "    | ^^^^^^^^^^^\n"
-                               "allowed: ") + kVehicleKeys + "\ndid you mean 'body_mass_kg'?");
+                               "allowed: ") +
+                       kVehicleKeys + "\ndid you mean 'body_mass_kg'?");
 }
 
 TEST(RefusedCases, MisspelledTable) {
@@ -75,7 +78,8 @@ TEST(RefusedCases, WrongUnitSuffix) {
                    std::string("case.toml:3:1: unknown key 'body_pitch_inertia_t_m2' in [vehicle]\n"
                                "  3 | body_pitch_inertia_t_m2 = 2500\n"
                                "    | ^^^^^^^^^^^^^^^^^^^^^^^\n"
-                               "allowed: ") + kVehicleKeys + "\ndid you mean 'body_pitch_inertia_kg_m2', in kg m^2?");
+                               "allowed: ") +
+                       kVehicleKeys + "\ndid you mean 'body_pitch_inertia_kg_m2', in kg m^2?");
 }
 
 TEST(RefusedCases, WrongUnitSuffixOfTheSpeed) {
@@ -194,9 +198,11 @@ TEST(RefusedCases, EndlessFrequencyGrid) {
 }
 
 TEST(RefusedCases, BandThatTheSpeedCannotExcite) {
-    const std::string second = "\n[[irregularity.band]]\nfamily = \"fra\"\nshortest_wavelength_m = 0.01\nlongest_wavelength_m = 0.02\n";
+    const std::string second =
+        "\n[[irregularity.band]]\nfamily = \"fra\"\nshortest_wavelength_m = 0.01\nlongest_wavelength_m = 0.02\n";
     expect_refused(minimal_case("\n[running]", second + "\n[running]"),
-                   "case.toml:37:25: irregularity.band[2].shortest_wavelength_m: at 22.2 m/s wavelengths of 0.01 to 0.02 m excite 1110 to 2220 Hz, none "
+                   "case.toml:37:25: irregularity.band[2].shortest_wavelength_m: at 22.2 m/s wavelengths of 0.01 to "
+                   "0.02 m excite 1110 to 2220 Hz, none "
                    "of it between 0.5 and 100 Hz\n"
                    "  37 | shortest_wavelength_m = 0.01\n"
                    "     |                         ^^^^\n"
@@ -204,11 +210,12 @@ TEST(RefusedCases, BandThatTheSpeedCannotExcite) {
 }
 
 TEST(RefusedCases, RuleBetweenKeysThatAreNotInTheFile) {
-    expect_refused(minimal_case("damping_n_s_per_m = 7.5e4", "preload_strength = 1.0"),
-                   "case.toml:28:20: track.pads.preload_strength: a stiffness from the static equilibrium needs a static curve\n"
-                   "  28 | preload_strength = 1.0\n"
-                   "     |                    ^^^\n"
-                   "allowed: 0, or give force_polynomial_n or curve_force_n");
+    expect_refused(
+        minimal_case("damping_n_s_per_m = 7.5e4", "preload_strength = 1.0"),
+        "case.toml:28:20: track.pads.preload_strength: a stiffness from the static equilibrium needs a static curve\n"
+        "  28 | preload_strength = 1.0\n"
+        "     |                    ^^^\n"
+        "allowed: 0, or give force_polynomial_n or curve_force_n");
 }
 
 TEST(RefusedCases, ToleranceOfWhatIsNotThere) {
@@ -222,7 +229,8 @@ TEST(RefusedCases, ToleranceOfWhatIsNotThere) {
 
 TEST(RefusedCases, NotToml) {
     expect_refused(minimal_case("38500.0", "38500,0"),
-                   "case.toml:2:21: not valid TOML: Error while parsing key-value pair: expected a comment or whitespace, saw ','\n"
+                   "case.toml:2:21: not valid TOML: Error while parsing key-value pair: expected a comment or "
+                   "whitespace, saw ','\n"
                    "  2 | body_mass_kg = 38500,0\n"
                    "    |                     ^\n"
                    "allowed: lines such as  key = 1.5,  key = \"text\",  key = [1.0, 2.0],  [table],  # comment");
@@ -230,17 +238,20 @@ TEST(RefusedCases, NotToml) {
 
 TEST(RefusedCases, KeyGivenTwice) {
     expect_refused(minimal_case("wheelbase_m = 2.4", "wheelbase_m = 2.4\nwheelbase_m = 2.5"),
-                   "case.toml:9:15: not valid TOML: Error while parsing key-value pair: cannot redefine existing floating-point 'wheelbase_m'\n"
+                   "case.toml:9:15: not valid TOML: Error while parsing key-value pair: cannot redefine existing "
+                   "floating-point 'wheelbase_m'\n"
                    "  9 | wheelbase_m = 2.5\n"
                    "    |               ^\n"
                    "allowed: lines such as  key = 1.5,  key = \"text\",  key = [1.0, 2.0],  [table],  # comment");
 }
 
 TEST(RefusedCases, BinaryGarbage) {
-    expect_refused(std::string("\x7f" "ELF\x02\x01\x01\x00\xff\xfe garbage", 17),
-                   "case.toml:1:1: not valid TOML: Error while parsing key: expected bare key starting character or string delimiter, saw '\\u007F'\n"
-                   "  1 | ?ELF???????\n"
-                   "    | ^\n"
+    expect_refused(std::string("\x7f"
+                               "ELF\x02\x01\x01\x00\xff\xfe garbage",
+                               18),
+                   "case.toml:1:8: not valid TOML: Encountered invalid utf-8 sequence\n"
+                   "  1 | ?ELF?????? garbage\n"
+                   "    |        ^\n"
                    "allowed: lines such as  key = 1.5,  key = \"text\",  key = [1.0, 2.0],  [table],  # comment");
 }
 

@@ -13,7 +13,8 @@ TEST(RefusedFiles, NoSuchFile) {
     const ProgramFolder folder;
     const Outcome outcome = folder.run({"solve", "case.toml", "--out", "results"});
     EXPECT_EQ(outcome.status, 2);
-    EXPECT_EQ(outcome.message, "case.toml: cannot be read: No such file or directory\nallowed: a TOML file that can be read\n");
+    EXPECT_EQ(outcome.message,
+              "case.toml: cannot be read: No such file or directory\nallowed: a TOML file that can be read\n");
     EXPECT_EQ(folder.content(), Names{});
 }
 
@@ -46,7 +47,9 @@ TEST(RefusedFiles, OneBadCaseAmongGoodOnesStopsAll) {
     folder.write("bad.toml", minimal_case("modes = 200", "modes = 0"));
     const Outcome outcome = folder.run({"solve", "good.toml", "bad.toml", "--out", "results"});
     EXPECT_EQ(outcome.status, 2);
-    EXPECT_EQ(outcome.message, "bad.toml:45:9: 'modes' cannot be 0\n  45 | modes = 0\n     |         ^\nallowed: an integer between 1 and 5000\n");
+    EXPECT_EQ(outcome.message,
+              "bad.toml:45:9: 'modes' cannot be 0\n  45 | modes = 0\n     |         ^\nallowed: an integer between 1 "
+              "and 5000\n");
     EXPECT_EQ(folder.content(), (Names{"bad.toml", "good.toml"}));
 }
 
@@ -56,7 +59,8 @@ TEST(RefusedFiles, TwoCasesOfOneName) {
     const Outcome outcome = folder.run({"solve", "case.toml", "./case.toml", "--out", "results"});
     EXPECT_EQ(outcome.status, 2);
     EXPECT_EQ(outcome.message,
-              "./case.toml: its results would be called case.psd.csv, like those of case.toml\nallowed: case files of different names\n");
+              "./case.toml: its results would be called case.psd.csv, like those of case.toml\nallowed: case files of "
+              "different names\n");
     EXPECT_EQ(folder.content(), Names{"case.toml"});
 }
 
@@ -67,7 +71,9 @@ TEST(RefusedFiles, OutputFolderIsAFile) {
     for (const char* out : {"results", "results/inner"}) {
         const Outcome outcome = folder.run({"solve", "case.toml", "--out", out});
         EXPECT_EQ(outcome.status, 2);
-        EXPECT_EQ(outcome.message, "--out " + std::string(out) + ": cannot be written: Not a directory\nallowed: a folder that can be written, or a new one\n");
+        EXPECT_EQ(outcome.message,
+                  "--out " + std::string(out) +
+                      ": cannot be written: Not a directory\nallowed: a folder that can be written, or a new one\n");
     }
     EXPECT_EQ(folder.read("results"), "mine");
 }
@@ -77,7 +83,9 @@ TEST(RefusedFiles, OutputFolderThatCannotBeMade) {
     folder.write("case.toml", minimal_case());
     const Outcome outcome = folder.run({"static", "case.toml", "--out", "/proc/results"});
     EXPECT_EQ(outcome.status, 2);
-    EXPECT_EQ(outcome.message, "--out /proc/results: cannot be written: No such file or directory\nallowed: a folder that can be written, or a new one\n");
+    EXPECT_EQ(outcome.message,
+              "--out /proc/results: cannot be written: No such file or directory\nallowed: a folder that can be "
+              "written, or a new one\n");
 }
 
 TEST(RefusedFiles, DiskFullWhileATableIsWritten) {
@@ -86,7 +94,8 @@ TEST(RefusedFiles, DiskFullWhileATableIsWritten) {
     // 200 lines of 18 columns take 40 kB; the limit on the size of a file stops the write as a full disk does.
     const Outcome outcome = folder.run({"solve", "case.toml", "--out", "new/results"}, 10000);
     EXPECT_EQ(outcome.status, 1);
-    EXPECT_EQ(outcome.message, "railpem: cannot write new/results/case.psd.csv: File too large\nnothing of this run was kept\n");
+    EXPECT_EQ(outcome.message,
+              "railpem: cannot write new/results/case.psd.csv: File too large\nnothing of this run was kept\n");
     EXPECT_EQ(folder.content(), Names{"case.toml"});
 }
 
@@ -95,7 +104,8 @@ TEST(RefusedFiles, DiskFullLeavesEarlierResultsAlone) {
     folder.write("case.toml", minimal_case());
     EXPECT_EQ(folder.run({"solve", "case.toml", "--out", "results"}).status, 0);
     const std::string before = folder.read("results/case.psd.csv");
-    EXPECT_EQ(folder.run({"solve", "case.toml", "--out", "results", "--set", "vehicle.payload_kg=9000"}, 10000).status, 1);
+    EXPECT_EQ(folder.run({"solve", "case.toml", "--out", "results", "--set", "vehicle.payload_kg=9000"}, 10000).status,
+              1);
     EXPECT_EQ(folder.read("results/case.psd.csv"), before);
     EXPECT_EQ(folder.content(), (Names{"case.toml", "results", "results/case.psd.csv", "results/case.summary.json"}));
 }
@@ -106,7 +116,9 @@ TEST(RefusedFiles, FolderInTheWayOfATable) {
     std::filesystem::create_directories(folder.path("results/case.summary.json"));
     const Outcome outcome = folder.run({"solve", "case.toml", "--out", "results"});
     EXPECT_EQ(outcome.status, 1);
-    EXPECT_EQ(outcome.message, "railpem: cannot write results/case.summary.json: a folder of that name is in the way\nnothing of this run was kept\n");
+    EXPECT_EQ(outcome.message,
+              "railpem: cannot write results/case.summary.json: a folder of that name is in the way\nnothing of this "
+              "run was kept\n");
     EXPECT_EQ(folder.content(), (Names{"case.toml", "results", "results/case.summary.json"}));
 }
 
@@ -121,7 +133,8 @@ TEST(RefusedArguments, UnknownVerb) {
     const ProgramFolder folder;
     const Outcome outcome = folder.run({"slove"});
     EXPECT_EQ(outcome.status, 2);
-    EXPECT_TRUE(outcome.message.starts_with("railpem: unknown verb 'slove'\nallowed: solve, static, ")) << outcome.message;
+    EXPECT_TRUE(outcome.message.starts_with("railpem: unknown verb 'slove'\nallowed: solve, static, "))
+        << outcome.message;
     EXPECT_TRUE(outcome.message.ends_with("\ndid you mean 'solve'?\n")) << outcome.message;
 }
 
@@ -157,7 +170,8 @@ TEST(RefusedArguments, UnknownPage) {
     const ProgramFolder folder;
     const Outcome outcome = folder.run({"describe", "csae"});
     EXPECT_EQ(outcome.status, 2);
-    EXPECT_TRUE(outcome.message.starts_with("railpem describe: no page about 'csae'\nallowed: case")) << outcome.message;
+    EXPECT_TRUE(outcome.message.starts_with("railpem describe: no page about 'csae'\nallowed: case"))
+        << outcome.message;
     EXPECT_TRUE(outcome.message.ends_with("\ndid you mean 'case'?\n")) << outcome.message;
 }
 
