@@ -12,14 +12,15 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 PERMITTED = {
     "parameters": set(),
+    "lanes": set(),
     "spectra": {"parameters"},
-    "vehicle": {"parameters"},
-    "track": {"parameters"},
-    "pem": {"parameters", "spectra", "vehicle", "track"},
+    "vehicle": {"parameters", "lanes"},
+    "track": {"parameters", "lanes"},
+    "pem": {"parameters", "lanes", "spectra", "vehicle", "track"},
     "simulate": {"parameters", "spectra", "vehicle", "track", "pem"},
     "recordings": {"parameters", "spectra"},
-    "diagnosis": {"parameters", "spectra", "vehicle", "track", "pem", "recordings"},
-    "app": {"parameters", "spectra", "vehicle", "track", "pem", "simulate", "recordings", "diagnosis"},
+    "diagnosis": {"parameters", "lanes", "spectra", "vehicle", "track", "pem", "recordings"},
+    "app": {"parameters", "lanes", "spectra", "vehicle", "track", "pem", "simulate", "recordings", "diagnosis"},
 }
 # What simulate may open in the folders of the frequency domain: data and closed formulas only.
 SIMULATE_MAY_OPEN = re.compile(r"^(parameters/|.*_parameters\.hpp$|spectra/irregularity_spectrum\.hpp$)")

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "pem/contact_parameters.hpp"
+
+namespace railpem::pem {
+
+/// Contact constant G in m/N^(2/3): the stated one, or that of a worn tread, G = 3.86e-8·R^(−0.115) with the wheel radius R
+/// in m (Zhai, Vehicle–Track Coupled Dynamics; new conical treads have 4.57e-8·R^(−0.149)).
+double contact_constant(const ContactParameters& contact, double wheel_radius_m);
+
+/// Linear contact stiffness K_h = 3/2·P0^{1/3}/G in N/m under the static load P0 in N (Wei et al. 2016, eq. 8).
+double contact_stiffness(double constant_m_per_n23, double wheel_load_n);
+
+/// Factor by which a contact patch of half length a lowers the amplitude of waves of wavenumber κ (rad/m):
+/// (1 + π/4·(κa)³)^{−1/2} (Remington 1987, circular patch).
+double contact_filter(double patch_half_length_m, double wavenumber_rad_per_m);
+
+}  // namespace railpem::pem

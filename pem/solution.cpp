@@ -1,0 +1,109 @@
+#include "pem/solution.hpp"
+
+#include <omp.h>
+
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+#include "pem/coupled_model.hpp"
+#include "pem/excitation.hpp"
+
+namespace railpem::pem {
+
+const std::vector<ResponseName>& response_names() {
+    static const std::vector<ResponseName> names = [] {
+        std::vector<ResponseName> list;
+        for (const char* where : {"body", "body_front", "body_rear", "bogie_1", "bogie_2", "wheel_1", "wheel_2", "wheel_3", "wheel_4",
+                                  "rail_1", "rail_2", "rail_3", "rail_4"})
+            list.push_back({where, Quantity::acceleration});
+        for (const char* where : {"contact_1", "contact_2", "contact_3", "contact_4", "trackbed"}) list.push_back({where, Quantity::force});
+        return list;
+    }();
+    return names;
+}
+
+std::size_t response_index(const std::string& where) {
+    const std::vector<ResponseName>& names = response_names();
+    for (std::size_t i = 0; i < names.size(); ++i)
+        if (names[i].where == where) return i;
+    assert(false && "no such response");
+    return 0;
+}
+
+std::vector<double> frequency_lines(const FrequencyParameters& grid) {
+    // A step that divides the range up to rounding reaches the end of it.
+    const std::size_t steps = static_cast<std::size_t>(std::floor((grid.to_hz - grid.from_hz) / grid.step_hz * (1.0 + 1e-12) + 1e-9));
+    std::vector<double> lines(steps + 1);
+    for (std::size_t i = 0; i <= steps; ++i) lines[i] = grid.from_hz + static_cast<double>(i) * grid.step_hz;
+    return lines;
+}
+
+namespace {
+
+lanes::Real group_omega(const std::vector<double>& frequencies, std::size_t group) {
+    lanes::Real omega{};
+    for (std::size_t lane = 0; lane < lanes::width; ++lane)
+        omega[lane] = 2.0 * std::numbers::pi * frequencies[std::min(group * lanes::width + lane, frequencies.size() - 1)];
+    return omega;
+}
+
+/// Pseudo-responses of one group of lines for every source.
+void store_group(const GroupSolution& group, const std::vector<Source>& sources, std::size_t first_line, Solution& solution) {
+    const std::size_t lines = solution.frequency_hz.size();
+    const std::size_t count = std::min<std::size_t>(lanes::width, lines - first_line);
+    const std::size_t responses_count = response_names().size();
+    std::array<lanes::Complex, 32> response;
+    assert(responses_count <= response.size());
+    for (std::size_t s = 0; s < sources.size(); ++s) {
+        responses(group, sources[s].amplitude(group.omega), response.data());
+        for (std::size_t r = 0; r < responses_count; ++r) {
+            std::complex<double>* row = solution.pseudo_response.data() + (s * responses_count + r) * lines + first_line;
+            for (std::size_t lane = 0; lane < count; ++lane) row[lane] = response[r][static_cast<int>(lane)];
+        }
+    }
+}
+
+}  // namespace
+
+Solution solve_case(const CaseParameters& parameters, double speed_m_per_s, const SolveOptions& options) {
+    const CoupledModel model = coupled_model(parameters);
+    const std::vector<Source> sources = excitation_sources(parameters, model.wheels_m, speed_m_per_s);
+    Solution solution;
+    solution.speed_m_per_s = speed_m_per_s;
+    solution.frequency_hz = frequency_lines(parameters.frequency);
+    solution.warnings = model.warnings;
+    for (const Source& source : sources) solution.source_names.push_back(source.name);
+    const std::size_t lines = solution.frequency_hz.size();
+    solution.pseudo_response.resize(sources.size() * response_names().size() * lines);
+
+    const std::size_t groups = (lines + lanes::width - 1) / lanes::width;
+    const int threads = options.threads > 0 ? options.threads : omp_get_max_threads();
+    std::size_t done = 0;
+#pragma omp parallel num_threads(threads)
+    {
+        CoupledWorkspace workspace(model);
+#pragma omp for schedule(dynamic, 4)
+        for (std::size_t group = 0; group < groups; ++group) {
+            const GroupSolution& solved = solve_group(model, group_omega(solution.frequency_hz, group), nullptr, workspace);
+            store_group(solved, sources, group * lanes::width, solution);
+            if (!options.progress) continue;
+            std::size_t now = 0;
+#pragma omp atomic capture
+            now = done += lanes::width;
+            if (omp_get_thread_num() == 0) options.progress(std::min(now, lines), lines);
+        }
+    }
+    return solution;
+}
+
+std::vector<double> response_psd(const Solution& solution, std::size_t response) {
+    std::vector<double> psd(solution.frequency_hz.size());
+    for (std::size_t s = 0; s < solution.source_names.size(); ++s) {
+        const std::complex<double>* row = solution.at(s, response);
+        for (std::size_t line = 0; line < psd.size(); ++line) psd[line] += std::norm(row[line]);
+    }
+    return psd;
+}
+
+}  // namespace railpem::pem

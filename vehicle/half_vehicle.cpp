@@ -1,0 +1,168 @@
+#include "vehicle/half_vehicle.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace railpem::vehicle {
+
+namespace {
+
+constexpr double kTwoPi = 2.0 * std::numbers::pi;
+
+/// Degrees of freedom in the order of elimination: hung masses and modes first, then body, bogies, wheels.
+struct Degrees {
+    int next = 0;
+    std::vector<int> hung;             ///< per bogie and mass
+    std::array<int, 4> axle_bending{}; ///< per wheelset
+    int body_bending = -1;
+    int body_heave, body_pitch;
+    std::array<int, 2> bogie_heave, bogie_pitch;
+    std::array<int, 4> wheel;
+};
+
+Degrees number_degrees(const VehicleParameters& vehicle) {
+    Degrees d;
+    for (std::size_t i = 0; i < 2 * vehicle.bogie_mounted_masses.size(); ++i) d.hung.push_back(d.next++);
+    if (!vehicle.wheelset_bending.empty())
+        for (int& degree : d.axle_bending) degree = d.next++;
+    if (!vehicle.body_bending.empty()) d.body_bending = d.next++;
+    d.body_heave = d.next++;
+    d.body_pitch = d.next++;
+    for (int bogie = 0; bogie < 2; ++bogie) {
+        d.bogie_heave[bogie] = d.next++;
+        d.bogie_pitch[bogie] = d.next++;
+    }
+    for (int& degree : d.wheel) degree = d.next++;
+    return d;
+}
+
+/// Displacement of the body at x from its centre.
+std::vector<Share> body_at(const Degrees& d, double x, double bending_shape) {
+    std::vector<Share> shares{{d.body_heave, 1.0}, {d.body_pitch, x}};
+    if (d.body_bending >= 0) shares.push_back({d.body_bending, bending_shape});
+    return shares;
+}
+
+std::vector<Share> minus(std::vector<Share> shares, int degree) {
+    shares.push_back({degree, -1.0});
+    return shares;
+}
+
+void add_body(HalfVehicle& car, const VehicleParameters& vehicle, const Degrees& d) {
+    const double loaded = (vehicle.body_mass_kg + vehicle.payload_kg) / vehicle.body_mass_kg;
+    car.elements.push_back({.shares = {{d.body_heave, 1.0}}, .mass_kg = loaded * vehicle.body_mass_kg / 2.0});
+    car.elements.push_back({.shares = {{d.body_pitch, 1.0}}, .mass_kg = loaded * vehicle.body_pitch_inertia_kg_m2 / 2.0});
+    const double b = vehicle.bogie_distance_m / 2.0;
+    double shape = 0.0;
+    for (const BodyBendingMode& mode : vehicle.body_bending) {
+        shape = mode.shape_at_pivots;
+        car.elements.push_back({.shares = {{d.body_bending, 1.0}}, .law = Law::mode, .mass_kg = loaded * mode.modal_mass_kg / 2.0,
+                                .frequency_hz = mode.frequency_hz / std::sqrt(loaded), .damping_ratio = mode.damping_ratio});
+    }
+    car.places[static_cast<int>(Place::body)] = body_at(d, 0.0, 1.0);
+    car.places[static_cast<int>(Place::body_front)] = body_at(d, b, shape);
+    car.places[static_cast<int>(Place::body_rear)] = body_at(d, -b, shape);
+}
+
+void add_bogie(HalfVehicle& car, const VehicleParameters& vehicle, const Degrees& d, int bogie) {
+    const int heave = d.bogie_heave[bogie];
+    const int pitch = d.bogie_pitch[bogie];
+    car.elements.push_back({.shares = {{heave, 1.0}}, .mass_kg = vehicle.bogie_mass_kg / 2.0});
+    car.elements.push_back({.shares = {{pitch, 1.0}}, .mass_kg = vehicle.bogie_pitch_inertia_kg_m2 / 2.0});
+    const Place pivot = bogie == 0 ? Place::body_front : Place::body_rear;
+    car.elements.push_back({.shares = minus(car.places[static_cast<int>(pivot)], heave), .law = Law::secondary, .index = bogie});
+    car.places[static_cast<int>(bogie == 0 ? Place::bogie_1 : Place::bogie_2)] = {{heave, 1.0}};
+    for (std::size_t i = 0; i < vehicle.bogie_mounted_masses.size(); ++i) {
+        const BogieMountedMass& hung = vehicle.bogie_mounted_masses[i];
+        const int degree = d.hung[2 * i + static_cast<std::size_t>(bogie)];
+        car.elements.push_back({.shares = {{degree, 1.0}}, .mass_kg = hung.mass_kg / 2.0});
+        car.elements.push_back({.shares = {{heave, 1.0}, {pitch, hung.position_m}, {degree, -1.0}}, .law = Law::mode, .mass_kg = hung.mass_kg / 2.0,
+                                .frequency_hz = hung.frequency_hz, .damping_ratio = hung.damping_ratio, .mass_moves = false});
+    }
+}
+
+void add_wheel(HalfVehicle& car, const VehicleParameters& vehicle, const Degrees& d, int wheel) {
+    const int bogie = wheel / 2;
+    const double arm = (wheel % 2 == 0 ? 0.5 : -0.5) * vehicle.wheelbase_m;
+    const int degree = d.wheel[wheel];
+    car.elements.push_back({.shares = {{d.bogie_heave[bogie], 1.0}, {d.bogie_pitch[bogie], arm}, {degree, -1.0}}, .law = Law::primary, .index = wheel});
+    // The degree of freedom is the wheel's total displacement; with bending the rigid part is total − q.
+    std::vector<Share> rigid{{degree, 1.0}};
+    for (const WheelsetBendingMode& mode : vehicle.wheelset_bending) {
+        rigid.push_back({d.axle_bending[wheel], -1.0});
+        car.elements.push_back({.shares = {{d.axle_bending[wheel], 1.0}}, .law = Law::mode, .mass_kg = mode.modal_mass_kg / 2.0,
+                                .frequency_hz = mode.frequency_hz, .damping_ratio = mode.damping_ratio});
+    }
+    car.elements.push_back({.shares = std::move(rigid), .mass_kg = vehicle.wheelset_mass_kg / 2.0});
+    car.places[static_cast<int>(Place::wheel_1) + wheel] = {{degree, 1.0}};
+}
+
+lanes::Complex stiffness_of(const HalfVehicle& car, const Element& element, lanes::Real omega) {
+    switch (element.law) {
+        case Law::secondary: return suspension_stiffness(car.secondary, car.friction.secondary[element.index], omega);
+        case Law::primary: return suspension_stiffness(car.primary, car.friction.primary[element.index], omega);
+        case Law::inertia: return {-element.mass_kg * omega * omega, lanes::Real{}};
+        case Law::mode: break;
+    }
+    const double natural = kTwoPi * element.frequency_hz;
+    lanes::Complex result{lanes::broadcast(element.mass_kg * natural * natural), 2.0 * element.damping_ratio * natural * element.mass_kg * omega};
+    if (element.mass_moves) result.re -= element.mass_kg * omega * omega;
+    return result;
+}
+
+}  // namespace
+
+HalfVehicle half_vehicle(const VehicleParameters& vehicle) {
+    const Degrees d = number_degrees(vehicle);
+    HalfVehicle car;
+    car.degrees = d.next;
+    car.primary = vehicle.primary;
+    car.secondary = vehicle.secondary;
+    add_body(car, vehicle, d);
+    for (int bogie = 0; bogie < 2; ++bogie) add_bogie(car, vehicle, d, bogie);
+    for (int wheel = 0; wheel < 4; ++wheel) add_wheel(car, vehicle, d, wheel);
+    return car;
+}
+
+lanes::Complex suspension_stiffness(const SuspensionParameters& law, double friction_damping, lanes::Real omega) {
+    lanes::Complex damper{lanes::Real{}, law.damping_n_s_per_m * omega};
+    if (std::isfinite(law.damper_series_stiffness_n_per_m)) {
+        const lanes::Complex series(law.damper_series_stiffness_n_per_m);
+        damper = damper * series / (damper + series);
+    }
+    damper.re += law.stiffness_n_per_m;
+    damper.im += friction_damping * omega;
+    return damper;
+}
+
+void assemble(const HalfVehicle& car, lanes::Real omega, Workspace& workspace) {
+    lanes::SymmetricMatrix& matrix = workspace.stiffness;
+    matrix.clear();
+    for (const Element& element : car.elements) {
+        const lanes::Complex stiffness = stiffness_of(car, element, omega);
+        for (const Share& row : element.shares)
+            for (const Share& column : element.shares)
+                if (row.degree >= column.degree) matrix(row.degree, column.degree) += stiffness * (row.weight * column.weight);
+    }
+}
+
+WheelReceptance wheel_receptance(const HalfVehicle& car, lanes::Real omega, Workspace& workspace) {
+    assemble(car, omega, workspace);
+    workspace.stiffness.factorise();
+    WheelReceptance result;
+    std::vector<lanes::Complex>& q = workspace.displacement;
+    for (int wheel = 0; wheel < 4; ++wheel) {
+        for (lanes::Complex& value : q) value = lanes::Complex{};
+        const int degree = car.first_wheel() + wheel;
+        q[static_cast<std::size_t>(degree)] = lanes::Complex(1.0);
+        workspace.stiffness.solve(q.data(), degree);
+        for (std::size_t place = 0; place < car.places.size(); ++place) {
+            lanes::Complex displacement;
+            for (const Share& share : car.places[place]) displacement += q[static_cast<std::size_t>(share.degree)] * share.weight;
+            result.at[place][static_cast<std::size_t>(wheel)] = displacement;
+        }
+    }
+    return result;
+}
+
+}  // namespace railpem::vehicle
