@@ -11,12 +11,14 @@ namespace {
 
 bool is_blank(char c) { return c == ' ' || c == '\t'; }
 
+bool equal_ignoring_case(std::string_view text, std::string_view lower) {
+    return std::equal(text.begin(), text.end(), lower.begin(), lower.end(), [](char a, char b) { return (a >= 'A' && a <= 'Z' ? static_cast<char>(a + 32) : a) == b; });
+}
+
 bool is_missing(std::string_view field) {
-    std::array<char, 5> lower{};
-    if (field.size() > 4) return false;
-    std::transform(field.begin(), field.end(), lower.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-    const std::string_view text(lower.data(), field.size());
-    return text == "nan" || text == "na" || text == "n/a" || text == "null" || text == "-";
+    for (const char* word : {"nan", "na", "n/a", "null", "-"})
+        if (equal_ignoring_case(field, word)) return true;
+    return false;
 }
 
 /// How many of the first rows are rows of numbers with as many fields as the header has.

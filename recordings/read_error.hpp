@@ -10,12 +10,7 @@ namespace railpem::recordings {
 class ReadError : public std::runtime_error {
   public:
     /// `line`: counted from 1; 0 when the problem has no line (binary files, the file as a whole).
-    ReadError(std::string file, std::size_t line, std::string problem, std::string allowed)
-        : std::runtime_error(file + (line > 0 ? ":" + std::to_string(line) : "") + ": " + problem + "; allowed: " + allowed),
-          file_(std::move(file)),
-          line_(line),
-          problem_(std::move(problem)),
-          allowed_(std::move(allowed)) {}
+    ReadError(std::string file, std::size_t line, std::string problem, std::string allowed);
 
     const std::string& file() const { return file_; }
     std::size_t line() const { return line_; }
