@@ -1,5 +1,5 @@
 #pragma once
-// Frequency lines side by side: one complex number per lane, so that the same arithmetic solves eight lines at once.
+// Frequency lines side by side: one complex number per lane, so that the same arithmetic solves several lines at once.
 // Every line does the same operations in the same order wherever it stands, so results do not depend on how lines are
 // handed to threads.
 
@@ -9,7 +9,7 @@
 
 namespace railpem::lanes {
 
-inline constexpr int width = 8;
+inline constexpr int width = 4;
 
 /// One real number per lane.
 using Real = double __attribute__((vector_size(width * sizeof(double))));

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "parameters/parameter_error.hpp"
+#include "pem/sensor_chain.hpp"
 
 namespace railpem::pem {
 
@@ -98,6 +99,10 @@ void check_modal_length(const CaseParameters& parameters) {
 }  // namespace
 
 void check(const CaseParameters& parameters) {
+    for (const SensorParameters& sensor : parameters.sensors)
+        if (measured_response(sensor.channel).empty())
+            throw ParameterError("sensor.channel", fmt::format("there is no channel '{}'", sensor.channel),
+                                 "axlebox_1 … axlebox_4, bogie_1, bogie_2, body_front, body_rear, body_centre");
     vehicle::check(parameters.vehicle);
     track::check(parameters.track);
     spectra::check(parameters.irregularity);

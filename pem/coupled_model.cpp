@@ -1,5 +1,8 @@
 #include "pem/coupled_model.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "pem/contact.hpp"
 #include "pem/solution.hpp"
 
@@ -7,7 +10,24 @@ namespace railpem::pem {
 
 using lanes::Complex;
 
-CoupledModel coupled_model(const CaseParameters& parameters) {
+namespace {
+
+std::vector<ConvectedPair> separations(const std::vector<double>& wheels) {
+    std::vector<ConvectedPair> pairs;
+    for (int i = 0; i < 4; ++i)
+        for (int j = 0; j < 4; ++j) {
+            const double separation = wheels[i] - wheels[j];
+            const auto same = [&](const ConvectedPair& pair) { return std::abs(pair.separation_m - separation) < 1e-9; };
+            const auto found = std::find_if(pairs.begin(), pairs.end(), same);
+            if (found != pairs.end()) found->wheels.emplace_back(i, j);
+            else pairs.push_back({separation, {{i, j}}});
+        }
+    return pairs;
+}
+
+}  // namespace
+
+CoupledModel coupled_model(const CaseParameters& parameters, double speed_m_per_s) {
     CoupledModel model;
     model.car = vehicle::half_vehicle(parameters.vehicle);
     model.wheels_m = vehicle::wheel_positions(parameters.vehicle);
@@ -16,6 +36,10 @@ CoupledModel coupled_model(const CaseParameters& parameters) {
     if (parameters.track.pads.preload_strength > 0.0) model.warnings = equilibrium.warnings;
     const double constant = contact_constant(parameters.contact, parameters.vehicle.wheel_radius_m);
     model.contact_compliance.fill(1.0 / contact_stiffness(constant, wheel_load_n(parameters)));
+    if (parameters.solver.moving) {
+        model.convected = separations(model.wheels_m);
+        model.convected_speed_m_per_s = speed_m_per_s;
+    }
     return model;
 }
 
@@ -37,43 +61,59 @@ void invert(WheelMatrix& m) {
     }
 }
 
+/// R(v) − R(0) for the lines of the group.
+void add_convected_change(const CoupledModel& model, lanes::Real omega, WheelMatrix& rail) {
+    std::vector<double> distances;
+    for (const ConvectedPair& pair : model.convected) distances.push_back(pair.separation_m);
+    for (int lane = 0; lane < lanes::width; ++lane) {
+        const std::vector<std::complex<double>> change = model.rail->convected_change(omega[lane], model.convected_speed_m_per_s, distances);
+        for (std::size_t p = 0; p < distances.size(); ++p)
+            for (const auto& [i, j] : model.convected[p].wheels) rail[i][j].set(lane, rail[i][j][lane] + change[p]);
+    }
+}
+
 }  // namespace
 
-const GroupSolution& solve_group(const CoupledModel& model, lanes::Real omega, const WheelMatrix* moving_change, CoupledWorkspace& workspace) {
+const GroupSolution& solve_group(const CoupledModel& model, lanes::Real omega, CoupledWorkspace& workspace) {
     GroupSolution& solution = workspace.solution;
     solution.omega = omega;
     solution.car = vehicle::wheel_receptance(model.car, omega, workspace.car);
-    solution.rail = &workspace.rail->at(omega);
+    const track::RailReceptance& rail = workspace.rail->at(omega);
+    for (int i = 0; i < 4; ++i) {
+        for (int j = 0; j < 4; ++j) solution.rail[i][j] = rail.at(i, j);
+        solution.trackbed[i] = rail.trackbed[static_cast<std::size_t>(i)];
+    }
+    if (!model.convected.empty()) add_convected_change(model, omega, solution.rail);
     for (int i = 0; i < 4; ++i)
-        for (int j = 0; j < 4; ++j) {
-            solution.forces[i][j] = solution.car.wheel(i, j) + solution.rail->at(i, j);
-            if (moving_change) solution.forces[i][j] += (*moving_change)[i][j];
-        }
+        for (int j = 0; j < 4; ++j) solution.forces[i][j] = solution.car.wheel(i, j) + solution.rail[i][j];
     for (int i = 0; i < 4; ++i) solution.forces[i][i].re += model.contact_compliance[i];
     invert(solution.forces);
     return solution;
 }
 
-void responses(const GroupSolution& solution, const WheelVector& irregularity, Complex* result) {
+WheelVector contact_forces(const GroupSolution& solution, const WheelVector& irregularity) {
     WheelVector force;
-    for (int i = 0; i < 4; ++i) {
-        force[i] = Complex{};
-        for (int j = 0; j < 4; ++j) force[i] += solution.forces[i][j] * irregularity[j];
-    }
+    for (std::size_t i = 0; i < 4; ++i)
+        for (std::size_t j = 0; j < 4; ++j) force[i] += solution.forces[i][j] * irregularity[j];
+    return force;
+}
+
+void responses(const GroupSolution& solution, const WheelVector& irregularity, Complex* result) {
+    const WheelVector force = contact_forces(solution, irregularity);
     const lanes::Real to_acceleration = -solution.omega * solution.omega;
     for (const auto& receptance : solution.car.at) {
         Complex displacement;
         for (int j = 0; j < 4; ++j) displacement += receptance[j] * force[j];
         *result++ = displacement * to_acceleration;
     }
-    for (int i = 0; i < 4; ++i) {  // rail under the wheel: contact minus irregularity and contact compression, = −R·P at v = 0
+    for (int i = 0; i < 4; ++i) {  // the contact force pushes the rail down
         Complex displacement;
-        for (int j = 0; j < 4; ++j) displacement -= solution.rail->at(i, j) * force[j];
+        for (int j = 0; j < 4; ++j) displacement -= solution.rail[i][j] * force[j];
         *result++ = displacement * to_acceleration;
     }
     for (int i = 0; i < 4; ++i) *result++ = force[i];
     Complex trackbed;
-    for (int j = 0; j < 4; ++j) trackbed += solution.rail->trackbed[static_cast<std::size_t>(j)] * force[j];
+    for (int j = 0; j < 4; ++j) trackbed += solution.trackbed[j] * force[j];
     *result = trackbed;
 }
 

@@ -13,16 +13,25 @@
 
 namespace railpem::pem {
 
+/// Wheels i, j whose separation x_i − x_j is the same.
+struct ConvectedPair {
+    double separation_m;
+    std::vector<std::pair<int, int>> wheels;
+};
+
 /// A case prepared for all frequencies: what does not depend on the frequency is computed once.
 struct CoupledModel {
     vehicle::HalfVehicle car;
     std::unique_ptr<RailModel> rail;
     std::vector<double> wheels_m;             ///< positions of the wheels, front first
     std::array<double, 4> contact_compliance{};  ///< 1/K_h per wheel, m/N
+    std::vector<ConvectedPair> convected;        ///< empty at rest; else the distinct separations of the wheels
+    double convected_speed_m_per_s = 0.0;
     std::vector<std::string> warnings;
 };
 
-CoupledModel coupled_model(const CaseParameters& parameters);
+/// `speed_m_per_s` matters only for a case with solver.moving.
+CoupledModel coupled_model(const CaseParameters& parameters, double speed_m_per_s);
 
 using WheelVector = std::array<lanes::Complex, 4>;
 using WheelMatrix = std::array<WheelVector, 4>;  ///< [row][column]
@@ -32,7 +41,8 @@ struct GroupSolution {
     lanes::Real omega{};
     WheelMatrix forces;  ///< [i][j]: contact force at wheel i per unit irregularity under wheel j, N/m
     vehicle::WheelReceptance car;
-    const track::RailReceptance* rail = nullptr;
+    WheelMatrix rail;      ///< receptances of the rail between the wheels, in motion if the case says so
+    WheelVector trackbed;  ///< sum of all pad forces per unit force at each wheel
 };
 
 /// What one thread needs.
@@ -44,8 +54,10 @@ struct CoupledWorkspace {
 };
 
 /// P = (1/K_h + V + R)⁻¹·r: V and R the receptances of vehicle and rail at the wheels, r the irregularity (upwards).
-/// `moving_change`: R(v) − R(0) of the convected rail, or null.
-const GroupSolution& solve_group(const CoupledModel& model, lanes::Real omega, const WheelMatrix* moving_change, CoupledWorkspace& workspace);
+const GroupSolution& solve_group(const CoupledModel& model, lanes::Real omega, CoupledWorkspace& workspace);
+
+/// Contact forces P for irregularities r under the four wheels.
+WheelVector contact_forces(const GroupSolution& solution, const WheelVector& irregularity);
 
 /// All responses (order of response_names()) to irregularities r under the four wheels, in (m/s²) and N per unit of r.
 void responses(const GroupSolution& solution, const WheelVector& irregularity, lanes::Complex* result);

@@ -4,33 +4,107 @@
 #include <numbers>
 
 #include "pem/contact.hpp"
+#include "pem/passing_lines.hpp"
 #include "spectra/irregularity_spectrum.hpp"
+#include "spectra/line_power.hpp"
+#include "spectra/rail_joint_lines.hpp"
 
 namespace railpem::pem {
 
 namespace {
 
-Source irregularity_source(const CaseParameters& parameters, const std::vector<double>& wheels_m, double speed) {
-    const auto amplitude = [&parameters, wheels_m, speed](lanes::Real omega) {
+constexpr double kTwoPi = 2.0 * std::numbers::pi;
+
+/// A source met by the wheels one after the other: spectrum(f) in m²/Hz with the delays d_j/v.
+Source delayed_source(std::string name, std::vector<double> wheels_m, double speed, std::function<double(double)> spectrum) {
+    const auto amplitude = [wheels = std::move(wheels_m), speed, spectrum = std::move(spectrum)](const LineGroup& group) {
         WheelVector e;
         for (int lane = 0; lane < lanes::width; ++lane) {
-            const double frequency = omega[lane] / (2.0 * std::numbers::pi);
-            const double filter = contact_filter(parameters.contact.patch_half_length_m, omega[lane] / speed);
-            const double root = filter * std::sqrt(spectra::irregularity_psd_m2_per_hz(parameters.irregularity, frequency, speed));
-            for (std::size_t j = 0; j < e.size(); ++j) {
-                const double phase = -omega[lane] * (wheels_m[0] - wheels_m[j]) / speed;
-                e[j].set(lane, std::polar(root, phase));
-            }
+            const double root = std::sqrt(spectrum(group.omega[lane] / kTwoPi));
+            for (std::size_t j = 0; j < e.size(); ++j) e[j].set(lane, std::polar(root, -group.omega[lane] * (wheels[0] - wheels[j]) / speed));
         }
         return e;
     };
-    return {"irregularity", amplitude};
+    return {std::move(name), amplitude};
+}
+
+Source irregularity_source(const CaseParameters& parameters, const std::vector<double>& wheels_m, double speed) {
+    return delayed_source("irregularity", wheels_m, speed, [irregularity = parameters.irregularity, patch = parameters.contact.patch_half_length_m, speed](double f) {
+        const double filter = contact_filter(patch, kTwoPi * f / speed);
+        return filter * filter * spectra::irregularity_psd_m2_per_hz(irregularity, f, speed);
+    });
+}
+
+/// Lines of dips at a regular distance, up to the end of the frequency grid.
+std::vector<SpectralLine> joint_lines(const CaseParameters& parameters, const spectra::RailJoints& joints, const std::vector<double>& wheels_m, double speed) {
+    std::vector<SpectralLine> lines;
+    for (int order = 1; order * speed / joints.spacing_m <= parameters.frequency.to_hz; ++order) {
+        SpectralLine line{.frequency_hz = order * speed / joints.spacing_m};
+        const double wavenumber = kTwoPi * order / joints.spacing_m;
+        const double amplitude = spectra::joint_line_amplitude_m(joints, order) * contact_filter(parameters.contact.patch_half_length_m, wavenumber);
+        for (std::size_t j = 0; j < 4; ++j) line.amplitude_m[j] = amplitude * std::polar(1.0, -wavenumber * (wheels_m[0] - wheels_m[j]));
+        lines.push_back(line);
+    }
+    return lines;
+}
+
+void add_wheel_sources(const CaseParameters& parameters, double speed, std::vector<Source>& sources) {
+    for (int wheel = 1; wheel <= 4; ++wheel) {
+        std::vector<SpectralLine> lines;
+        for (const WheelOutOfRoundness& defect : parameters.wheel_out_of_roundness) {
+            if (defect.wheel != wheel) continue;
+            const double wavenumber = defect.order / parameters.vehicle.wheel_radius_m;
+            SpectralLine line{.frequency_hz = speed * wavenumber / kTwoPi};
+            line.amplitude_m[static_cast<std::size_t>(wheel - 1)] = defect.amplitude_m * contact_filter(parameters.contact.patch_half_length_m, wavenumber);
+            lines.push_back(line);
+        }
+        if (!lines.empty()) sources.push_back(line_source("wheel_" + std::to_string(wheel), lines, parameters.running.speed_fluctuation));
+    }
 }
 
 }  // namespace
 
+Source line_source(std::string name, std::vector<SpectralLine> lines, double speed_fluctuation) {
+    const auto amplitude = [lines = std::move(lines), speed_fluctuation](const LineGroup& group) {
+        WheelVector e;
+        for (int lane = 0; lane < lanes::width; ++lane) {
+            const double f = group.omega[lane] / kTwoPi;
+            std::array<double, 4> power{};
+            double strongest = 0.0;
+            const SpectralLine* leading = nullptr;
+            for (const SpectralLine& line : lines) {
+                const double share = spectra::line_power_in_bin(f - 0.5 * group.step_hz, f + 0.5 * group.step_hz, line.frequency_hz, 1.0,
+                                                                speed_fluctuation * line.frequency_hz) / group.step_hz;
+                double sum = 0.0;
+                for (std::size_t j = 0; j < 4; ++j) {
+                    const double own = 0.5 * share * std::norm(line.amplitude_m[j]);
+                    power[j] += own;
+                    sum += own;
+                }
+                if (sum > strongest) {
+                    strongest = sum;
+                    leading = &line;
+                }
+            }
+            if (!leading) continue;
+            for (std::size_t j = 0; j < 4; ++j) e[j].set(lane, std::polar(std::sqrt(power[j]), std::arg(leading->amplitude_m[j])));
+        }
+        return e;
+    };
+    return {std::move(name), amplitude};
+}
+
 std::vector<Source> excitation_sources(const CaseParameters& parameters, const std::vector<double>& wheels_m, double speed_m_per_s) {
-    return {irregularity_source(parameters, wheels_m, speed_m_per_s)};
+    const double fluctuation = parameters.running.speed_fluctuation;
+    std::vector<Source> sources{irregularity_source(parameters, wheels_m, speed_m_per_s)};
+    for (const spectra::RailJoints& joints : parameters.irregularity.joints)
+        sources.push_back(line_source("joints", joint_lines(parameters, joints, wheels_m, speed_m_per_s), fluctuation));
+    add_wheel_sources(parameters, speed_m_per_s, sources);
+    if (std::vector<SpectralLine> lines = passing_lines(parameters, wheels_m, speed_m_per_s); !lines.empty())
+        sources.push_back(line_source("sleeper_passing", std::move(lines), fluctuation));
+    if (const auto spectrum = failed_fastener_spectrum(parameters, wheels_m, speed_m_per_s))
+        sources.push_back(delayed_source("failed_fasteners", wheels_m, speed_m_per_s, spectrum));
+    return sources;
 }
 
 }  // namespace railpem::pem

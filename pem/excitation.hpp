@@ -9,14 +9,36 @@
 
 namespace railpem::pem {
 
-/// An independent source of excitation: the pseudo-irregularity e(ω)·√S(ω) under each wheel, m/√Hz.
-struct Source {
-    std::string name;
-    std::function<WheelVector(lanes::Real omega)> amplitude;
+/// Frequency lines of one group and the width of the bin that each stands for.
+struct LineGroup {
+    lanes::Real omega{};    ///< rad/s
+    double step_hz = 0.0;   ///< bins are [f − step/2, f + step/2]
 };
 
-/// The sources of a case at speed v. The irregularity is one source, met by wheel j with the delay d_j/v behind wheel 1:
-/// e_j = exp(−iω·d_j/v)·√S(f) (Lin's pseudo-excitation; Wei et al. 2016, section 4.1).
+/// An independent source of excitation: the pseudo-irregularity e(ω)·√S(ω) under each wheel, m/√Hz. Different sources are
+/// uncorrelated, so the cross-spectral matrix of the responses is the sum over them.
+struct Source {
+    std::string name;
+    std::function<WheelVector(const LineGroup&)> amplitude;
+};
+
+/// A spectral line: vibration of the wheels' irregularity at one frequency, with fixed phases between the wheels.
+struct SpectralLine {
+    double frequency_hz = 0.0;
+    std::array<std::complex<double>, 4> amplitude_m{};  ///< peak amplitude under each wheel
+};
+
+/// A source made of lines. Each is a Gaussian of standard deviation f·speed_fluctuation whose PSD in a bin is its exact mean
+/// over the bin, so that Σ PSD·step over the table is amplitude²/2 whatever the grid (spectra/line_power.hpp). The phases
+/// between the wheels are those of the line: a speed that fluctuates moves the frequency, not the wavelength. Where lines
+/// overlap their powers add and the strongest gives the phases.
+Source line_source(std::string name, std::vector<SpectralLine> lines, double speed_fluctuation);
+
+/// All sources of a case at speed v:
+/// - "irregularity": broadband spectrum with corrugation, met by wheel j with the delay d_j/v behind wheel 1,
+///   e_j = exp(−iω·d_j/v)·√S(f) (Lin's pseudo-excitation; Wei et al. 2016, section 4.1), smoothed by the contact patch;
+/// - "joints": lines at n·v/spacing, the same delays; - "wheel_n": out-of-roundness, lines at order·v/(2πR), that wheel only;
+/// - "sleeper_passing": see passing_lines.hpp; - "failed_fasteners": random ones, broadband.
 std::vector<Source> excitation_sources(const CaseParameters& parameters, const std::vector<double>& wheels_m, double speed_m_per_s);
 
 }  // namespace railpem::pem

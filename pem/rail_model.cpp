@@ -1,7 +1,12 @@
 #include "pem/rail_model.hpp"
 
+#include <cmath>
+#include <numbers>
+
+#include "track/convected_rail.hpp"
 #include "track/exact_rail.hpp"
 #include "track/modal_rail.hpp"
+#include "track/seat_stiffness.hpp"
 
 namespace railpem::pem {
 
@@ -17,13 +22,135 @@ class ExactEvaluator : public RailEvaluator {
     track::ExactRailWorkspace workspace_;
 };
 
-class ExactModel : public RailModel {
+/// Mean K0 of the supports within a bay of a wheel: what the smeared track of the convected change stands on.
+double stiffness_under_points(const track::ExactRail& rail) {
+    double sum = 0.0, count = 0.0;
+    for (const track::RailNode& point : rail.nodes) {
+        if (point.point < 0) continue;
+        for (const track::RailNode& node : rail.nodes) {
+            if (!node.supported || std::abs(node.position_m - point.position_m) > 1.01 * rail.spacing_m) continue;
+            sum += node.pad_stiffness_n_per_m * node.pad_scale;
+            count += 1.0;
+        }
+    }
+    return count > 0.0 ? sum / count : rail.uniform_pad_stiffness_n_per_m;
+}
+
+/// Mean over several positions of the wheels along the track.
+class MeanEvaluator : public RailEvaluator {
   public:
-    explicit ExactModel(track::ExactRail rail) : rail_(std::move(rail)) {}
-    std::unique_ptr<RailEvaluator> evaluator() const override { return std::make_unique<ExactEvaluator>(rail_); }
+    explicit MeanEvaluator(const std::vector<track::ExactRail>& rails) {
+        for (const track::ExactRail& rail : rails) single_.emplace_back(rail);
+    }
+    const track::RailReceptance& at(lanes::Real omega) override {
+        mean_ = single_.front().at(omega);
+        for (std::size_t i = 1; i < single_.size(); ++i) {
+            const track::RailReceptance& other = single_[i].at(omega);
+            for (std::size_t k = 0; k < mean_.between.size(); ++k) mean_.between[k] += other.between[k];
+            for (std::size_t k = 0; k < mean_.trackbed.size(); ++k) mean_.trackbed[k] += other.trackbed[k];
+        }
+        const double share = 1.0 / static_cast<double>(single_.size());
+        for (lanes::Complex& value : mean_.between) value = value * share;
+        for (lanes::Complex& value : mean_.trackbed) value = value * share;
+        return mean_;
+    }
 
   private:
-    track::ExactRail rail_;
+    std::vector<ExactEvaluator> single_;
+    track::RailReceptance mean_;
+};
+
+class ExactModel : public RailModel {
+  public:
+    explicit ExactModel(std::vector<track::ExactRail> rails) : rails_(std::move(rails)) {}
+    std::unique_ptr<RailEvaluator> evaluator() const override {
+        if (rails_.size() == 1) return std::make_unique<ExactEvaluator>(rails_.front());
+        return std::make_unique<MeanEvaluator>(rails_);
+    }
+
+    std::vector<std::complex<double>> convected_change(double omega, double speed, const std::vector<double>& separations) const override {
+        return track::convected_change(rails_.front(), stiffness_under_points(rails_.front()), omega, speed, separations);
+    }
+
+  private:
+    std::vector<track::ExactRail> rails_;
+};
+
+/// Rails for wheels that roll over the track: at rest one, as the case has it. In motion the mean over positions that take
+/// the first two harmonics of a bay out of the receptance (three per bay, and every bay of a period of failed fasteners);
+/// random failures enter by their mean.
+std::vector<track::ExactRail> positions(const CaseParameters& parameters, const std::vector<double>& wheels_m, const track::StaticEquilibrium& equilibrium) {
+    if (!parameters.solver.moving) return {track::exact_rail(parameters.track, wheels_m, equilibrium)};
+    constexpr int kPerBay = 3;
+    CaseParameters moved = parameters;
+    int period = 1;
+    for (track::FailedFasteners& failed : moved.track.failed_fasteners) {
+        if (failed.every > 0) period = failed.every;
+        const double mean = 1.0 - failed.fraction * (1.0 - failed.remaining_stiffness_fraction);
+        moved.track.pads.dynamic_to_static_ratio *= mean;
+        moved.track.pads.damping_n_s_per_m *= mean;
+        failed.fraction = 0.0;
+    }
+    const int first_seat = moved.track.failed_fasteners.empty() ? 0 : moved.track.failed_fasteners.front().first_seat;
+    std::vector<track::ExactRail> rails;
+    for (int k = 0; k < kPerBay * period; ++k) {
+        const double bays = static_cast<double>(k) / kPerBay;
+        moved.track.wheel_offset_m = (bays - std::floor(bays)) * parameters.track.spacing_m;
+        for (track::FailedFasteners& failed : moved.track.failed_fasteners) failed.first_seat = first_seat - static_cast<int>(bays);
+        rails.push_back(track::exact_rail(moved.track, wheels_m, case_equilibrium(moved)));
+    }
+    return rails;
+}
+
+/// The design's rail, line by line through a dense solve.
+class ModalEvaluator : public RailEvaluator {
+  public:
+    ModalEvaluator(const track::ModalRail& rail, const track::TrackParameters& track, const track::StaticEquilibrium& equilibrium)
+        : rail_(rail), track_(track), equilibrium_(equilibrium) {}
+
+    const track::RailReceptance& at(lanes::Real omega) override {
+        const std::size_t points = static_cast<std::size_t>(rail_.point_shape.rows());
+        result_.between.resize(points * points);
+        result_.trackbed.resize(points);
+        double previous = 0.0;
+        track::ModalReceptance modal;
+        for (int lane = 0; lane < lanes::width; ++lane) {
+            const double frequency = omega[lane] / (2.0 * std::numbers::pi);
+            if (frequency != previous) modal = track::modal_receptance(rail_, frequency, track::seat_stiffness(track_, equilibrium_, frequency));
+            previous = frequency;  // the last group repeats its last line
+            for (std::size_t i = 0; i < points; ++i) {
+                for (std::size_t j = 0; j < points; ++j)
+                    result_.between[i * points + j].set(lane, modal.at_points(static_cast<long>(i), static_cast<long>(j)));
+                result_.trackbed[i].set(lane, modal.trackbed(static_cast<long>(i)));
+            }
+        }
+        return result_;
+    }
+
+  private:
+    const track::ModalRail& rail_;
+    const track::TrackParameters& track_;
+    const track::StaticEquilibrium& equilibrium_;
+    track::RailReceptance result_;
+};
+
+class ModalModel : public RailModel {
+  public:
+    ModalModel(const track::TrackParameters& track, const std::vector<double>& points, int modes, track::StaticEquilibrium equilibrium)
+        : track_(track),
+          equilibrium_(std::move(equilibrium)),
+          rail_(track::modal_rail(track_, equilibrium_.position_m, points, modes)),
+          smeared_(track::exact_rail(track_, points, equilibrium_)) {}
+    std::unique_ptr<RailEvaluator> evaluator() const override { return std::make_unique<ModalEvaluator>(rail_, track_, equilibrium_); }
+    std::vector<std::complex<double>> convected_change(double omega, double speed, const std::vector<double>& separations) const override {
+        return track::convected_change(smeared_, stiffness_under_points(smeared_), omega, speed, separations);
+    }
+
+  private:
+    track::TrackParameters track_;
+    track::StaticEquilibrium equilibrium_;
+    track::ModalRail rail_;
+    track::ExactRail smeared_;  ///< only for the convected change
 };
 
 }  // namespace
@@ -36,7 +163,9 @@ track::StaticEquilibrium case_equilibrium(const CaseParameters& parameters) {
 
 std::unique_ptr<RailModel> rail_model(const CaseParameters& parameters, const std::vector<double>& wheels_m,
                                       const track::StaticEquilibrium& equilibrium) {
-    return std::make_unique<ExactModel>(track::exact_rail(parameters.track, wheels_m, equilibrium));
+    if (parameters.solver.rail == RailSolution::modal)
+        return std::make_unique<ModalModel>(parameters.track, wheels_m, parameters.solver.modes, equilibrium);
+    return std::make_unique<ExactModel>(positions(parameters, wheels_m, equilibrium));
 }
 
 }  // namespace railpem::pem

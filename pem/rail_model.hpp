@@ -20,6 +20,8 @@ class RailModel {
   public:
     virtual ~RailModel() = default;
     virtual std::unique_ptr<RailEvaluator> evaluator() const = 0;
+    /// R(v) − R(0) for points at these separations (track/convected_rail.hpp).
+    virtual std::vector<std::complex<double>> convected_change(double omega, double speed_m_per_s, const std::vector<double>& separations_m) const = 0;
 };
 
 /// The rail that the case asks for (solver.rail), on the pads of the static equilibrium.

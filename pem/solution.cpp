@@ -1,13 +1,17 @@
 #include "pem/solution.hpp"
 
+#include <fmt/format.h>
 #include <omp.h>
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <numbers>
 
 #include "pem/coupled_model.hpp"
 #include "pem/excitation.hpp"
+#include "pem/linearise.hpp"
+#include "pem/sensor_chain.hpp"
 
 namespace railpem::pem {
 
@@ -49,14 +53,14 @@ lanes::Real group_omega(const std::vector<double>& frequencies, std::size_t grou
 }
 
 /// Pseudo-responses of one group of lines for every source.
-void store_group(const GroupSolution& group, const std::vector<Source>& sources, std::size_t first_line, Solution& solution) {
+void store_group(const GroupSolution& group, const std::vector<Source>& sources, double step_hz, std::size_t first_line, Solution& solution) {
     const std::size_t lines = solution.frequency_hz.size();
     const std::size_t count = std::min<std::size_t>(lanes::width, lines - first_line);
     const std::size_t responses_count = response_names().size();
     std::array<lanes::Complex, 32> response;
     assert(responses_count <= response.size());
     for (std::size_t s = 0; s < sources.size(); ++s) {
-        responses(group, sources[s].amplitude(group.omega), response.data());
+        responses(group, sources[s].amplitude({group.omega, step_hz}), response.data());
         for (std::size_t r = 0; r < responses_count; ++r) {
             std::complex<double>* row = solution.pseudo_response.data() + (s * responses_count + r) * lines + first_line;
             for (std::size_t lane = 0; lane < count; ++lane) row[lane] = response[r][static_cast<int>(lane)];
@@ -64,15 +68,29 @@ void store_group(const GroupSolution& group, const std::vector<Source>& sources,
     }
 }
 
+/// Above this share of open contact the Gaussian closure is not to be trusted (Roberts & Spanos: mild nonlinearity).
+constexpr double kDoubtfulLoss = 0.01;
+
+void warn_of_linearisation(Solution& solution) {
+    const Linearisation& l = solution.linearisation;
+    const double open = *std::max_element(l.loss_of_contact_probability.begin(), l.loss_of_contact_probability.end());
+    if (open > kDoubtfulLoss)
+        solution.warnings.push_back(fmt::format("a wheel loses contact in {:.1f} % of the time; the linearised contact is not reliable", 100.0 * open));
+    if (l.change > 1e-6)
+        solution.warnings.push_back(fmt::format("the linearisation still changes by {:.1e} after {} iterations", l.change, l.iterations));
+}
+
 }  // namespace
 
 Solution solve_case(const CaseParameters& parameters, double speed_m_per_s, const SolveOptions& options) {
-    const CoupledModel model = coupled_model(parameters);
+    CoupledModel model = coupled_model(parameters, speed_m_per_s);
     const std::vector<Source> sources = excitation_sources(parameters, model.wheels_m, speed_m_per_s);
     Solution solution;
+    solution.linearisation = linearise(parameters, sources, model);
     solution.speed_m_per_s = speed_m_per_s;
     solution.frequency_hz = frequency_lines(parameters.frequency);
     solution.warnings = model.warnings;
+    warn_of_linearisation(solution);
     for (const Source& source : sources) solution.source_names.push_back(source.name);
     const std::size_t lines = solution.frequency_hz.size();
     solution.pseudo_response.resize(sources.size() * response_names().size() * lines);
@@ -85,8 +103,8 @@ Solution solve_case(const CaseParameters& parameters, double speed_m_per_s, cons
         CoupledWorkspace workspace(model);
 #pragma omp for schedule(dynamic, 4)
         for (std::size_t group = 0; group < groups; ++group) {
-            const GroupSolution& solved = solve_group(model, group_omega(solution.frequency_hz, group), nullptr, workspace);
-            store_group(solved, sources, group * lanes::width, solution);
+            const GroupSolution& solved = solve_group(model, group_omega(solution.frequency_hz, group), workspace);
+            store_group(solved, sources, parameters.frequency.step_hz, group * lanes::width, solution);
             if (!options.progress) continue;
             std::size_t now = 0;
 #pragma omp atomic capture
@@ -94,6 +112,7 @@ Solution solve_case(const CaseParameters& parameters, double speed_m_per_s, cons
             if (omp_get_thread_num() == 0) options.progress(std::min(now, lines), lines);
         }
     }
+    apply_sensors(parameters.sensors, solution);
     return solution;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "pem/case_parameters.hpp"
+#include "pem/linearisation.hpp"
 
 namespace railpem::pem {
 
@@ -31,6 +32,7 @@ struct Solution {
     std::vector<std::string> source_names;  ///< "irregularity", "wheel_1", …
     std::vector<std::complex<double>> pseudo_response;  ///< [source][response][line]
     std::vector<std::string> warnings;      ///< validity of what was computed, in words
+    Linearisation linearisation;            ///< of friction and contact; all zero for a linear case
 
     const std::complex<double>* at(std::size_t source, std::size_t response) const {
         return pseudo_response.data() + (source * response_names().size() + response) * frequency_hz.size();

@@ -67,11 +67,18 @@ ExactRail exact_rail(const TrackParameters& track, const std::vector<double>& po
     const std::size_t count = equilibrium.position_m.size();
     const double origin = points_m.front() - track.wheel_offset_m;  // seat 0 of the numbering of failed fasteners
     std::vector<Seat> seats;
-    for (std::size_t j = 0; j < count; ++j) {
-        const int seat = static_cast<int>(std::lround((equilibrium.position_m[j] - origin) / track.spacing_m));
-        const double scale = track.failed_fasteners.empty() ? 1.0 : pad_scale(track.failed_fasteners.front(), seat);
-        seats.push_back({equilibrium.position_m[j], equilibrium.dynamic_stiffness_n_per_m[j], scale});
-    }
+    const auto add_seat = [&](double position, double stiffness) {
+        const int seat = static_cast<int>(std::lround((position - origin) / track.spacing_m));
+        seats.push_back({position, stiffness, track.failed_fasteners.empty() ? 1.0 : pad_scale(track.failed_fasteners.front(), seat)});
+    };
+    // Points may lie beyond the pads of the equilibrium: the unloaded track goes on.
+    const double before = equilibrium.position_m.front() - rearmost;
+    const double after = foremost - equilibrium.position_m.back();
+    for (int n = before < 0.0 ? 0 : static_cast<int>(std::ceil(before / track.spacing_m)) + 1; n > 0; --n)
+        add_seat(equilibrium.position_m.front() - n * track.spacing_m, rail.uniform_pad_stiffness_n_per_m);
+    for (std::size_t j = 0; j < count; ++j) add_seat(equilibrium.position_m[j], equilibrium.dynamic_stiffness_n_per_m[j]);
+    for (int n = 1; after > 0.0 && n <= static_cast<int>(std::ceil(after / track.spacing_m)) + 1; ++n)
+        add_seat(equilibrium.position_m.back() + n * track.spacing_m, rail.uniform_pad_stiffness_n_per_m);
     const auto differs = [&](const Seat& seat) {
         return seat.scale != 1.0 || std::abs(seat.pad_stiffness / rail.uniform_pad_stiffness_n_per_m - 1.0) > tolerance;
     };
@@ -97,6 +104,8 @@ ExactRailWorkspace::ExactRailWorkspace(const ExactRail& rail)
     const std::size_t points = static_cast<std::size_t>(rail.points);
     result.between.resize(points * points);
     result.trackbed.resize(points);
+    met.resize(points);
+    row.resize(points);
 }
 
 SupportLaw::SupportLaw(const PadParameters& pads, const SupportParameters& support, lanes::Real omega)

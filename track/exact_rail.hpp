@@ -57,6 +57,8 @@ struct ExactRailWorkspace {
     std::vector<lanes::Matrix2> condensed;  ///< per node: (stiffness of everything behind, with the next stretch)⁻¹
     std::vector<lanes::Matrix2> back;       ///< per node: d_j = back·d_{j+1} when nothing acts at or behind j
     std::vector<lanes::Vector2> load;       ///< per node: condensed load of the pad-sum problem
+    std::vector<int> met;                   ///< points met on the way back
+    std::vector<lanes::Vector2> row;        ///< and their columns of the inverse, as far as the present node
     RailReceptance result;
 };
 

@@ -26,16 +26,18 @@ struct PadParameters {
     double damping_n_s_per_m = 0.0;         ///< c, the dashpot beside the spring
     double loss_factor = 0.0;               ///< η
     LossLaw loss_law = LossLaw::causal;
-    double loss_reference_hz = 30.0;        ///< f_l, causal loss law only
+    double loss_reference_hz = 30.0;  ///< f_l, causal loss law only
 
-    /// Static curve: coefficients of F(S) = Σ c_i S^i in N with S in m (compression positive). Empty: linear with K_secant.
+    /// Static curve: coefficients of F(S) = Σ c_i S^i in N with S in m (compression positive). Empty: linear with
+    /// K_secant.
     std::vector<double> force_polynomial_n;
     /// Or as points: compression in m, force in N, increasing (monotone cubic between them). Excludes the polynomial.
     std::vector<double> curve_compression_m;
     std::vector<double> curve_force_n;
     double curve_limit_n = 90e3;  ///< force up to which the curve was measured; beyond it the tangent goes on
 
-    /// Measured complex modulus relative to its value at f0: frequency, storage ratio, loss factor. Replaces exponent and loss.
+    /// Measured complex modulus relative to its value at f0: frequency, storage ratio, loss factor. Replaces exponent
+    /// and loss.
     std::vector<double> table_frequency_hz;
     std::vector<double> table_storage_ratio;
     std::vector<double> table_loss_factor;
@@ -44,7 +46,8 @@ struct PadParameters {
 /// Fasteners that carry little or nothing. Every n-th seat (`every`), or a random share (`fraction`) drawn by `seed`;
 /// what remains at those seats is `remaining_stiffness_fraction` of the pad's stiffness and damping.
 struct FailedFasteners {
-    int every = 0;          ///< 0: none; n ≥ 2: seats with index divisible by n, counted from the pad nearest to wheel 1
+    int every = 0;          ///< 0: none; n ≥ 2: every n-th seat
+    int first_seat = 0;     ///< one of the regularly failed seats; seat 0 is the pad at or behind wheel 1, growing towards the front
     double fraction = 0.0;  ///< share of random failed seats, 0: none
     double remaining_stiffness_fraction = 0.0;
     int seed = 1;

@@ -1,7 +1,5 @@
 // The hot path: one group of frequency lines of the exact rail.
 
-#include <cassert>
-
 #include "track/exact_rail.hpp"
 
 namespace railpem::track {
@@ -58,23 +56,22 @@ void collect(const ExactRail& rail, const Matrix2& front, const Vector2& front_l
     Matrix2 diagonal = front;               // block (j, j) of the inverse
     Vector2 pad_sum = front * front_load;   // displacement in the pad-sum problem
     // Points met so far and the first row of Π back · (block (k, k) of the inverse), k the point's node.
-    std::array<int, 16> met{};
-    std::array<Vector2, 16> row{};
-    int count = 0;
+    std::vector<int>& met = work.met;
+    std::vector<Vector2>& row = work.row;
+    std::size_t count = 0;
     for (int j = last; j >= 0; --j) {
         if (j < last) {
             const Matrix2& g = work.back[j];
             diagonal = work.condensed[j] + g * diagonal * transpose(g);
             pad_sum = work.load[j] + g * pad_sum;
-            for (int k = 0; k < count; ++k) row[k] = g * row[k];
+            for (std::size_t k = 0; k < count; ++k) row[k] = g * row[k];
         }
         const int point = rail.nodes[j].point;
         if (point < 0) continue;
-        assert(count < static_cast<int>(met.size()));
         met[count] = point;
         row[count] = {diagonal.a, diagonal.c};
         ++count;
-        for (int k = 0; k < count; ++k) {
+        for (std::size_t k = 0; k < count; ++k) {
             const std::size_t a = static_cast<std::size_t>(met[k]), b = static_cast<std::size_t>(point);
             result.between[a * points + b] = result.between[b * points + a] = row[k].a;
         }

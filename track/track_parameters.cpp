@@ -56,6 +56,7 @@ Fields<FailedFasteners> failed_fastener_fields() {
     using F = FailedFasteners;
     return {
         integer(&F::every, "every", between(0, 1000), "every n-th seat has failed; 0: none"),
+        integer(&F::first_seat, "first_seat", between(-1000, 1000), "one of the regularly failed seats; seat 0 is the pad at or behind wheel 1"),
         number(&F::fraction, "fraction", "1", between(0.0, 0.5), "share of seats that have failed at random"),
         number(&F::remaining_stiffness_fraction, "remaining_stiffness_fraction", "1", between(0.0, 1.0), "what is left of stiffness and damping at a failed seat"),
         integer(&F::seed, "seed", between(0, 2147483647), "draws the random seats"),

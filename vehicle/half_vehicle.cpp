@@ -70,7 +70,8 @@ void add_bogie(HalfVehicle& car, const VehicleParameters& vehicle, const Degrees
     car.elements.push_back({.shares = {{heave, 1.0}}, .mass_kg = vehicle.bogie_mass_kg / 2.0});
     car.elements.push_back({.shares = {{pitch, 1.0}}, .mass_kg = vehicle.bogie_pitch_inertia_kg_m2 / 2.0});
     const Place pivot = bogie == 0 ? Place::body_front : Place::body_rear;
-    car.elements.push_back({.shares = minus(car.places[static_cast<int>(pivot)], heave), .law = Law::secondary, .index = bogie});
+    car.secondary_elongation[bogie] = minus(car.places[static_cast<int>(pivot)], heave);
+    car.elements.push_back({.shares = car.secondary_elongation[bogie], .law = Law::secondary, .index = bogie});
     car.places[static_cast<int>(bogie == 0 ? Place::bogie_1 : Place::bogie_2)] = {{heave, 1.0}};
     for (std::size_t i = 0; i < vehicle.bogie_mounted_masses.size(); ++i) {
         const BogieMountedMass& hung = vehicle.bogie_mounted_masses[i];
@@ -85,7 +86,8 @@ void add_wheel(HalfVehicle& car, const VehicleParameters& vehicle, const Degrees
     const int bogie = wheel / 2;
     const double arm = (wheel % 2 == 0 ? 0.5 : -0.5) * vehicle.wheelbase_m;
     const int degree = d.wheel[wheel];
-    car.elements.push_back({.shares = {{d.bogie_heave[bogie], 1.0}, {d.bogie_pitch[bogie], arm}, {degree, -1.0}}, .law = Law::primary, .index = wheel});
+    car.primary_elongation[wheel] = {{d.bogie_heave[bogie], 1.0}, {d.bogie_pitch[bogie], arm}, {degree, -1.0}};
+    car.elements.push_back({.shares = car.primary_elongation[wheel], .law = Law::primary, .index = wheel});
     // The degree of freedom is the wheel's total displacement; with bending the rigid part is total − q.
     std::vector<Share> rigid{{degree, 1.0}};
     for (const WheelsetBendingMode& mode : vehicle.wheelset_bending) {
@@ -156,11 +158,15 @@ WheelReceptance wheel_receptance(const HalfVehicle& car, lanes::Real omega, Work
         const int degree = car.first_wheel() + wheel;
         q[static_cast<std::size_t>(degree)] = lanes::Complex(1.0);
         workspace.stiffness.solve(q.data(), degree);
-        for (std::size_t place = 0; place < car.places.size(); ++place) {
+        const auto sum = [&](const std::vector<Share>& shares) {
             lanes::Complex displacement;
-            for (const Share& share : car.places[place]) displacement += q[static_cast<std::size_t>(share.degree)] * share.weight;
-            result.at[place][static_cast<std::size_t>(wheel)] = displacement;
-        }
+            for (const Share& share : shares) displacement += q[static_cast<std::size_t>(share.degree)] * share.weight;
+            return displacement;
+        };
+        const std::size_t w = static_cast<std::size_t>(wheel);
+        for (std::size_t place = 0; place < car.places.size(); ++place) result.at[place][w] = sum(car.places[place]);
+        for (std::size_t e = 0; e < 4; ++e) result.primary[e][w] = sum(car.primary_elongation[e]);
+        for (std::size_t e = 0; e < 2; ++e) result.secondary[e][w] = sum(car.secondary_elongation[e]);
     }
     return result;
 }

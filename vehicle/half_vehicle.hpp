@@ -45,6 +45,8 @@ struct HalfVehicle {
     int degrees = 0;
     std::vector<Element> elements;
     std::array<std::vector<Share>, static_cast<int>(Place::count)> places;
+    std::array<std::vector<Share>, 4> primary_elongation;
+    std::array<std::vector<Share>, 2> secondary_elongation;
     SuspensionParameters primary, secondary;
     FrictionDamping friction;
 
@@ -59,9 +61,12 @@ HalfVehicle half_vehicle(const VehicleParameters& vehicle);
 /// damping (Maxwell element; Bruni et al. 2011).
 lanes::Complex suspension_stiffness(const SuspensionParameters& law, double friction_damping, lanes::Real omega);
 
-/// Receptances of the free half vehicle for unit forces at the wheels (upwards): displacement at every place.
+/// Receptances of the free half vehicle for unit forces at the wheels (upwards): displacement at every place and elongation of
+/// every suspension element.
 struct WheelReceptance {
     std::array<std::array<lanes::Complex, 4>, static_cast<int>(Place::count)> at;  ///< [place][wheel], m/N
+    std::array<std::array<lanes::Complex, 4>, 4> primary;    ///< elongation of each primary element
+    std::array<std::array<lanes::Complex, 4>, 2> secondary;  ///< and of each secondary
     const lanes::Complex& wheel(int observed, int forced) const { return at[static_cast<int>(Place::wheel_1) + observed][forced]; }
 };
 

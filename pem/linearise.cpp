@@ -1,0 +1,135 @@
+#include "pem/linearise.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "pem/contact.hpp"
+#include "pem/solution.hpp"
+
+namespace railpem::pem {
+
+namespace {
+
+constexpr double kTwoPi = 2.0 * std::numbers::pi;
+constexpr int kMostIterations = 200;
+constexpr double kSettled = 1e-10;
+constexpr double kRelaxation = 0.7;   ///< of the new value; friction alone converges from below and above alternately
+constexpr int kMostLines = 512;
+constexpr double kSmallestVelocity = 1e-9;  ///< m/s; keeps the equivalent damping finite when nothing moves
+
+bool nonlinear(const CaseParameters& parameters) {
+    return parameters.vehicle.primary.friction_force_n > 0.0 || parameters.vehicle.secondary.friction_force_n > 0.0 ||
+           parameters.contact.nonlinearity_factor > 0.0;
+}
+
+/// E[max(δ̄ + σξ, 0)^p] for standard Gaussian ξ, by the midpoint rule in ξ over ±9.
+template <class Function>
+double gaussian_mean(Function&& value) {
+    constexpr int kPoints = 4000;
+    double sum = 0.0;
+    for (int i = 0; i < kPoints; ++i) {
+        const double xi = -9.0 + 18.0 * (i + 0.5) / kPoints;
+        sum += value(xi) * std::exp(-0.5 * xi * xi);
+    }
+    return sum * 18.0 / kPoints / std::sqrt(kTwoPi);
+}
+
+/// Mean squares that the linearisation needs.
+struct MeanSquares {
+    std::array<double, 4> primary_velocity{}, contact_force{};
+    std::array<double, 2> secondary_velocity{};
+};
+
+MeanSquares mean_squares(const CaseParameters& parameters, const std::vector<Source>& sources, const CoupledModel& model) {
+    const FrequencyParameters& grid = parameters.frequency;
+    const int lines = std::max(2, std::min(kMostLines, static_cast<int>((grid.to_hz - grid.from_hz) / grid.step_hz) + 1));
+    const double step = (grid.to_hz - grid.from_hz) / (lines - 1);
+    MeanSquares sums;
+    CoupledWorkspace workspace(model);
+    for (int first = 0; first < lines; first += lanes::width) {
+        LineGroup group{.step_hz = step};
+        for (int lane = 0; lane < lanes::width; ++lane) group.omega[lane] = kTwoPi * (grid.from_hz + std::min(first + lane, lines - 1) * step);
+        const GroupSolution& solution = solve_group(model, group.omega, workspace);
+        const int count = std::min(lanes::width, lines - first);
+        for (const Source& source : sources) {
+            const WheelVector force = contact_forces(solution, source.amplitude(group));
+            const auto add = [&](const std::array<lanes::Complex, 4>& receptance, double& sum) {
+                lanes::Complex elongation;
+                for (std::size_t j = 0; j < 4; ++j) elongation += receptance[j] * force[j];
+                const lanes::Real square = lanes::norm(elongation) * group.omega * group.omega * step;
+                for (int lane = 0; lane < count; ++lane) sum += square[lane];
+            };
+            for (std::size_t e = 0; e < 4; ++e) {
+                add(solution.car.primary[e], sums.primary_velocity[e]);
+                const lanes::Real square = lanes::norm(force[e]) * step;
+                for (int lane = 0; lane < count; ++lane) sums.contact_force[e] += square[lane];
+            }
+            for (std::size_t e = 0; e < 2; ++e) add(solution.car.secondary[e], sums.secondary_velocity[e]);
+        }
+    }
+    return sums;
+}
+
+/// Moves `value` towards `target` and returns the relative change still asked for.
+double relax(double& value, double target) {
+    const double change = std::abs(target - value) / std::max(std::abs(target), 1e-300);
+    value += kRelaxation * (target - value);
+    return target == 0.0 ? 0.0 : change;
+}
+
+double friction_damping(double force, double velocity) { return force * std::sqrt(2.0 / std::numbers::pi) / std::max(velocity, kSmallestVelocity); }
+
+}  // namespace
+
+MeanContact mean_contact(double constant, double wheel_load, double deviation) {
+    const double at_rest = constant * std::cbrt(wheel_load * wheel_load);  // δ0 = G·P0^{2/3}
+    const double linear = contact_stiffness(constant, wheel_load);
+    if (deviation <= 0.0) return {linear, 0.0};
+    const double scale = std::pow(constant, -1.5);
+    const auto force = [&](double mean) { return gaussian_mean([&](double xi) { return scale * std::pow(std::max(0.0, mean + deviation * xi), 1.5); }); };
+    const auto slope = [&](double mean) { return gaussian_mean([&](double xi) { return 1.5 * scale * std::sqrt(std::max(0.0, mean + deviation * xi)); }); };
+    // The quadrature's own value at rest is taken out, so that σ → 0 gives K_h to rounding.
+    double mean = at_rest;
+    for (int i = 0; i < 50; ++i) {
+        const double step = (force(mean) - wheel_load) / slope(mean);
+        mean -= step;
+        if (std::abs(step) < 1e-14 * at_rest) break;
+    }
+    return {slope(mean), 0.5 * std::erfc(mean / deviation / std::numbers::sqrt2)};
+}
+
+Linearisation linearise(const CaseParameters& parameters, const std::vector<Source>& sources, CoupledModel& model) {
+    Linearisation result;
+    if (!nonlinear(parameters)) return result;
+    const double constant = contact_constant(parameters.contact, parameters.vehicle.wheel_radius_m);
+    const double load = wheel_load_n(parameters);
+    const double linear = contact_stiffness(constant, load);
+    for (result.iterations = 1; result.iterations <= kMostIterations; ++result.iterations) {
+        const MeanSquares squares = mean_squares(parameters, sources, model);
+        result.change = 0.0;
+        for (std::size_t e = 0; e < 4; ++e) {
+            result.primary_velocity_m_per_s[e] = std::sqrt(squares.primary_velocity[e]);
+            if (const double force = parameters.vehicle.primary.friction_force_n; force > 0.0)
+                result.change = std::max(result.change, relax(model.car.friction.primary[e], friction_damping(force, result.primary_velocity_m_per_s[e])));
+            double stiffness = 1.0 / model.contact_compliance[e];
+            result.contact_compression_m[e] = std::sqrt(squares.contact_force[e]) / stiffness;
+            if (const double share = parameters.contact.nonlinearity_factor; share > 0.0) {
+                const MeanContact contact = mean_contact(constant, load, result.contact_compression_m[e]);
+                result.loss_of_contact_probability[e] = contact.open_probability;
+                const double target = std::max(0.05 * linear, linear + share * (contact.stiffness_n_per_m - linear));
+                result.change = std::max(result.change, relax(stiffness, target));
+                model.contact_compliance[e] = 1.0 / stiffness;
+            }
+        }
+        for (std::size_t e = 0; e < 2; ++e) {
+            result.secondary_velocity_m_per_s[e] = std::sqrt(squares.secondary_velocity[e]);
+            if (const double force = parameters.vehicle.secondary.friction_force_n; force > 0.0)
+                result.change = std::max(result.change, relax(model.car.friction.secondary[e], friction_damping(force, result.secondary_velocity_m_per_s[e])));
+        }
+        if (result.change < kSettled) break;
+    }
+    return result;
+}
+
+}  // namespace railpem::pem

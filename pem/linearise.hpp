@@ -1,0 +1,26 @@
+#pragma once
+// Dry friction and the contact's nonlinearity by statistical linearisation.
+
+#include "pem/coupled_model.hpp"
+#include "pem/excitation.hpp"
+#include "pem/linearisation.hpp"
+
+namespace railpem::pem {
+
+/// Finds the equivalent damping and stiffness that are consistent with the response they cause and puts them into `model`.
+/// - friction F·sgn(u̇): c = F·√(2/π)/σ_u̇ (Gaussian closure; Roberts & Spanos 1990, eq. 5.42);
+/// - contact (δ/G)^{3/2}: K = ∂E[P]/∂δ̄ with E[P] = P0 and δ Gaussian, opening where δ < 0;
+///   the share contact.nonlinearity_factor of the change K − K_h is applied.
+/// Iterated with under-relaxation until nothing changes by more than 1e-10. Returns without work for a linear case.
+/// `sources` at the speed of the model. The rms values come from at most 512 lines over the case's grid.
+Linearisation linearise(const CaseParameters& parameters, const std::vector<Source>& sources, CoupledModel& model);
+
+/// ∂E[P]/∂δ̄ of the Hertz contact in N/m under a Gaussian compression of standard deviation `deviation_m` with E[P] = P0,
+/// and the probability that the contact is open.
+struct MeanContact {
+    double stiffness_n_per_m;
+    double open_probability;
+};
+MeanContact mean_contact(double constant_m_per_n23, double wheel_load_n, double deviation_m);
+
+}  // namespace railpem::pem

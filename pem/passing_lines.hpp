@@ -1,0 +1,24 @@
+#pragma once
+// What a train feels of its supports: the deflection under the standing load differs from place to place.
+
+#include <functional>
+#include <vector>
+
+#include "pem/case_parameters.hpp"
+#include "pem/excitation.hpp"
+
+namespace railpem::pem {
+
+/// Lines at m·v/(n·spacing), n = 1 or the period of failed fasteners: the deflection of the rail under the standing wheel
+/// loads, r(x) = −P0·Σ_j C_ij(x), is periodic along the track and acts like an irregularity. C is the receptance with the
+/// wheels shifted by x, taken at the frequency of the line, so that damping and inertia of the track count as they do there
+/// (a static compliance is 5 % lower at 37 Hz on the paper's track). Scaled by sleeper_passing.amplitude_factor for the
+/// lines of the intact bays; lines that only the failed fasteners cause are always in. Empty when there is nothing to feel.
+std::vector<SpectralLine> passing_lines(const CaseParameters& parameters, const std::vector<double>& wheels_m, double speed_m_per_s);
+
+/// Random failed fasteners: each changes the deflection of the passing wheels by a pulse c(x), and N = share/spacing of them per
+/// metre, independently placed, are shot noise: S(κ) = 2·p(1 − p)/spacing·|∫ c(x) e^{−iκx} dx|² one-sided in cycles/m, in time
+/// S/v. The pulse is −P0·(C with one seat failed − C intact) on the otherwise uniform track. Null without random failures.
+std::function<double(double)> failed_fastener_spectrum(const CaseParameters& parameters, const std::vector<double>& wheels_m, double speed_m_per_s);
+
+}  // namespace railpem::pem

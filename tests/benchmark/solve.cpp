@@ -1,0 +1,98 @@
+// How long a frequency line takes, and against what. Ratios within one run are what counts; run with
+//   build/release/tests/benchmark_solve
+// items_per_second is frequency lines per second.
+
+#include <benchmark/benchmark.h>
+
+#include <numbers>
+
+#include "../verification/pem/paper_case.hpp"
+#include "pem/coupled_model.hpp"
+#include "pem/solution.hpp"
+#include "pem/track_response.hpp"
+#include "track/exact_rail.hpp"
+
+namespace {
+
+using namespace railpem;
+
+lanes::Real lines_from(double frequency) {
+    lanes::Real omega;
+    for (int lane = 0; lane < lanes::width; ++lane) omega[lane] = 2.0 * std::numbers::pi * (frequency + 0.1 * lane);
+    return omega;
+}
+
+pem::CaseParameters uic60() {
+    pem::CaseParameters c = tests::paper_case(1);
+    c.track.rail = {.beam = track::Beam::timoshenko, .youngs_modulus_pa = 210e9, .second_moment_of_area_m4 = 3038.3e-8, .mass_kg_per_m = 60.2,
+                    .loss_factor = 0.02, .shear_modulus_pa = 81e9, .shear_coefficient = 0.4, .cross_section_m2 = 60.2 / 7850.0};
+    c.track.pads = {.static_stiffness_n_per_m = 300e6, .loss_factor = 0.25, .loss_law = track::LossLaw::constant};
+    c.track.support = {.model = track::SupportModel::two_layer, .mass_kg = 162.0, .stiffness_n_per_m = 50e6, .loss_factor = 1.0};
+    return c;
+}
+
+/// One coupled line: vehicle, contact, exact rail of case 3, all responses to one source. One core.
+void coupled_line_exact(benchmark::State& state) {
+    const pem::CoupledModel model = pem::coupled_model(tests::paper_case(3), 22.2222);
+    pem::CoupledWorkspace workspace(model);
+    pem::WheelVector r{lanes::Complex(1.0), lanes::Complex(0.5), lanes::Complex(0.2), lanes::Complex(0.1)};
+    std::vector<lanes::Complex> response(pem::response_names().size());
+    for (auto _ : state) {
+        pem::responses(pem::solve_group(model, lines_from(60.0), workspace), r, response.data());
+        benchmark::DoNotOptimize(response.data());
+    }
+    state.SetItemsProcessed(state.iterations() * lanes::width);
+}
+BENCHMARK(coupled_line_exact)->Unit(benchmark::kMicrosecond);
+
+/// The rail alone: what the exact solution of case 3 costs.
+void rail_receptance_exact(benchmark::State& state) {
+    const pem::CaseParameters c = tests::paper_case(3);
+    const auto wheels = vehicle::wheel_positions(c.vehicle);
+    const track::ExactRail rail = track::exact_rail(c.track, wheels, pem::case_equilibrium(c));
+    track::ExactRailWorkspace workspace(rail);
+    for (auto _ : state) benchmark::DoNotOptimize(&track::rail_receptance(rail, lines_from(60.0), workspace));
+    state.SetItemsProcessed(state.iterations() * lanes::width);
+    state.counters["nodes"] = static_cast<double>(rail.nodes.size());
+}
+BENCHMARK(rail_receptance_exact)->Unit(benchmark::kMicrosecond);
+
+void vehicle_receptance(benchmark::State& state) {
+    const vehicle::HalfVehicle car = vehicle::half_vehicle(tests::paper_case(3).vehicle);
+    vehicle::Workspace workspace(car);
+    for (auto _ : state) benchmark::DoNotOptimize(vehicle::wheel_receptance(car, lines_from(60.0), workspace));
+    state.SetItemsProcessed(state.iterations() * lanes::width);
+}
+BENCHMARK(vehicle_receptance)->Unit(benchmark::kMicrosecond);
+
+/// The baseline: the design's dense modal rail, 200 modes, 61 pads.
+void coupled_line_modal_200(benchmark::State& state) {
+    pem::CaseParameters c = tests::paper_case(3);
+    c.solver = {.rail = pem::RailSolution::modal, .modes = 200, .pads = 61};
+    const pem::CoupledModel model = pem::coupled_model(c, 22.2222);
+    pem::CoupledWorkspace workspace(model);
+    for (auto _ : state) benchmark::DoNotOptimize(&pem::solve_group(model, lines_from(60.0), workspace));
+    state.SetItemsProcessed(state.iterations() * lanes::width);
+}
+BENCHMARK(coupled_line_modal_200)->Unit(benchmark::kMillisecond)->Iterations(2);
+
+/// 2000 lines of case 3, all responses, static equilibrium included; threads as argument.
+void case_3_all_outputs(benchmark::State& state) {
+    const pem::CaseParameters c = tests::paper_case(3);
+    for (auto _ : state) benchmark::DoNotOptimize(pem::solve_case(c, 22.2222, {.threads = static_cast<int>(state.range(0))}));
+    state.SetItemsProcessed(state.iterations() * 1998);
+}
+BENCHMARK(case_3_all_outputs)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+/// UIC60 on ballast: receptance over a pad and mid-bay, 1500 lines 20–3000 Hz.
+void receptance_uic60(benchmark::State& state) {
+    const pem::CaseParameters c = uic60();
+    const std::vector<double> lines = pem::geometric_lines(20.0, 3000.0, 1500);
+    for (auto _ : state) benchmark::DoNotOptimize(pem::track_response(c, lines, state.range(0) != 0));
+    state.SetItemsProcessed(state.iterations() * 1500);
+}
+BENCHMARK(receptance_uic60)->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+}  // namespace
+
+BENCHMARK_MAIN();

@@ -1,0 +1,45 @@
+#include "track/support_law.hpp"
+
+#include <cassert>
+#include <numbers>
+
+namespace railpem::track {
+
+namespace {
+
+constexpr double two_pi = 2.0 * std::numbers::pi;
+
+}  // namespace
+
+std::complex<double> support_receptance(const SupportParameters& support, double frequency_hz) {
+    assert(frequency_hz > 0.0);
+    if (support.model == SupportModel::rigid) return 0.0;
+    const double omega = two_pi * frequency_hz;
+    const std::complex<double> spring(
+        support.stiffness_n_per_m, support.stiffness_n_per_m * support.loss_factor + omega * support.damping_n_s_per_m);
+    std::complex<double> receptance = 1.0 / (spring - omega * omega * support.mass_kg);
+    for (const SleeperMode& mode : support.bending_modes) {
+        const double omega_n = two_pi * mode.frequency_hz;
+        const std::complex<double> beam = omega_n * omega_n * std::complex<double>(1.0, mode.loss_factor);
+        receptance +=
+            1.0 / (mode.modal_mass_kg * (beam - omega * omega) + spring * (mode.modal_mass_kg / support.mass_kg));
+    }
+    return receptance;
+}
+
+double static_support_compliance(const SupportParameters& support) {
+    if (support.model == SupportModel::rigid) return 0.0;
+    double compliance = 1.0 / support.stiffness_n_per_m;
+    for (const SleeperMode& mode : support.bending_modes) {
+        const double omega_n = two_pi * mode.frequency_hz;
+        compliance += 1.0 / (mode.modal_mass_kg * (omega_n * omega_n + support.stiffness_n_per_m / support.mass_kg));
+    }
+    return compliance;
+}
+
+std::complex<double> support_stiffness(std::complex<double> pad_stiffness_n_per_m,
+                                       std::complex<double> below_pad_m_per_n) {
+    return pad_stiffness_n_per_m / (1.0 + pad_stiffness_n_per_m * below_pad_m_per_n);
+}
+
+}  // namespace railpem::track
