@@ -114,14 +114,17 @@ void check_stops(const Evidence& evidence, std::vector<Fault>& faults) {
                 if (series.channels[i].description.location == wanted) members.push_back(i);
     const auto step = static_cast<std::size_t>(0.5 * series.sampling_rate_hz);
     if (step < 8 || members.empty()) return;
-    std::vector<double> level;
+    std::vector<double> level, whole;
+    for (const std::size_t i : members) {
+        double all = 1e-300;
+        for (const double x : evidence.detrended[i]) all += x * x;
+        whole.push_back(all);
+    }
     for (std::size_t begin = 0; begin + step <= series.size(); begin += step) {
         double sum = 0.0;
-        for (const std::size_t i : members) {
-            double power = 0.0, all = 1e-300;
-            for (std::size_t n = begin; n < begin + step; ++n) power += evidence.detrended[i][n] * evidence.detrended[i][n];
-            for (const double x : evidence.detrended[i]) all += x * x;
-            sum += power / all;
+        for (std::size_t m = 0; m < members.size(); ++m) {
+            const std::vector<double>& x = evidence.detrended[members[m]];
+            for (std::size_t n = begin; n < begin + step; ++n) sum += x[n] * x[n] / whole[m];
         }
         level.push_back(std::sqrt(sum));
     }
