@@ -33,24 +33,37 @@ struct Peak {
     double tests = 1.0;
 };
 
-/// Largest magnitude of the whitened correlation within the range.
-Peak whitened_peak(const CrossSpectra& spectra, double rate, const DelayOptions& options, double highest) {
-    const std::size_t length = spectra.segments.length;
-    std::vector<Complex> whitened(spectra.bins());
+/// Largest magnitude of the whitened correlation within the range, from the record as a whole (zero-padded, so that no delay
+/// wraps round): both channels divided by the root of their own smoothed spectra.
+Peak whitened_peak(const std::vector<double>& earlier, const std::vector<double>& later, double rate, const DelayOptions& options, double highest) {
+    const FourierTransform transform(fast_length(earlier.size() + static_cast<std::size_t>(std::ceil(std::max(std::abs(options.least_s), std::abs(options.most_s)) * rate)) + 1));
+    const std::size_t length = transform.length();
+    const double window_s = std::min(1.0, static_cast<double>(earlier.size()) / rate / 8.0);
+    const CrossSpectra smooth = pair_spectra(earlier, later, rate, window_s);
+    std::vector<Complex> a(transform.bins()), b(transform.bins());
+    std::vector<double> padded(length, 0.0);
+    std::copy(earlier.begin(), earlier.end(), padded.begin());
+    transform.forward(padded.data(), a.data());
+    std::copy(later.begin(), later.end(), padded.begin());
+    transform.forward(padded.data(), b.data());
     double used = 0.0;
-    for (std::size_t k = 1; k + 1 < spectra.bins(); ++k) {
-        const double f = spectra.frequency_hz[k];
-        const double magnitude = std::abs(spectra.at(k, 0, 1));
-        if (f < options.from_hz || f > highest || magnitude <= 0.0) continue;
-        // Weighted with the magnitude of the coherence, so that bins with noise only do not dilute the peak.
-        const double weight = std::sqrt(spectra.coherence(k, 0, 1));
-        whitened[k] = weight * spectra.at(k, 0, 1) / magnitude;
-        used += weight;
+    const double bin_hz = rate / static_cast<double>(length);
+    for (std::size_t k = 0; k < a.size(); ++k) {
+        const double f = static_cast<double>(k) * bin_hz;
+        const auto at = std::min(smooth.bins() - 1, static_cast<std::size_t>(std::lround(f / smooth.kernel().bin_hz())));
+        const double power = smooth.psd(at, 0) * smooth.psd(at, 1);
+        if (f < options.from_hz || f > highest || power <= 0.0) {
+            a[k] = 0.0;
+            continue;
+        }
+        a[k] *= std::conj(b[k]) / std::sqrt(power);
+        used += 1.0;
     }
     if (used <= 0.0) return {};
     std::vector<double> correlation(length);
-    FourierTransform(length).inverse(whitened.data(), correlation.data());
-    const double scale = 0.5 * static_cast<double>(length) / used;
+    transform.inverse(a.data(), correlation.data());
+    // |X|² has the mean S f_s N/2, N samples without the padding.
+    const double scale = static_cast<double>(length) / (used * rate * static_cast<double>(earlier.size()));
     Peak peak;
     std::vector<double> magnitudes;
     const auto from = static_cast<long>(std::floor(options.least_s * rate)), to = static_cast<long>(std::ceil(options.most_s * rate));
@@ -61,7 +74,7 @@ Peak whitened_peak(const CrossSpectra& spectra, double rate, const DelayOptions&
         magnitudes.push_back(std::abs(value));
         if (std::abs(value) > std::abs(peak.value)) peak = {static_cast<double>(lag) / rate, value, 0.0, 0.0};
     }
-    // Scatter within the range only (beyond it the window makes the correlation smaller), by the median, which no peak disturbs.
+    // Scatter within the range by the median, which no peak disturbs.
     const auto middle = magnitudes.begin() + static_cast<std::ptrdiff_t>(magnitudes.size() / 2);
     std::nth_element(magnitudes.begin(), middle, magnitudes.end());
     peak.deviations = 0.6745 * std::abs(peak.value) / std::max(1e-300, *middle);
@@ -149,12 +162,10 @@ Delay estimate_delay(const std::vector<double>& earlier, const std::vector<doubl
     assert(earlier.size() == later.size() && options.least_s < options.most_s);
     Delay delay;
     const double highest = std::min(options.to_hz, 0.8 * 0.5 * sampling_rate_hz);
-    const double reach = std::max(std::abs(options.least_s), std::abs(options.most_s));
-    // A window several times the longest delay: the part of it that both channels see is then nearly all.
-    const double duration = static_cast<double>(earlier.size()) / sampling_rate_hz;
-    const double coarse_window = std::min(std::max(4.0 * reach, options.window_s), duration / 4.0);
-    if (coarse_window < 2.0 * reach || coarse_window * sampling_rate_hz < 16.0) return delay;
-    const Peak peak = whitened_peak(pair_spectra(earlier, later, sampling_rate_hz, coarse_window), sampling_rate_hz, options, highest);
+    const double reach = std::max(std::abs(options.least_s), std::abs(options.most_s)), duration = static_cast<double>(earlier.size()) / sampling_rate_hz;
+    // Of the longest delay half the record must be left to compare.
+    if (duration < 2.0 * reach || earlier.size() < 256) return delay;
+    const Peak peak = whitened_peak(earlier, later, sampling_rate_hz, options, highest);
     delay.false_alarm = std::min(1.0, 2.0 * peak.tests * normal_exceeded(peak.deviations));
     delay.inverted = peak.value < 0.0;
     const long shift = std::lround(peak.delay_s * sampling_rate_hz);

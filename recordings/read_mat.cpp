@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 #include <matio.h>
 
-#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <fstream>
 #include <memory>
 
 #include "recordings/isolated_read.hpp"
@@ -106,6 +108,27 @@ class MatFile {
     Variable root_;
 };
 
+/// Walks the elements of a version 5 file. The library takes a variable that the file cuts short for a whole one, the rest left as it
+/// comes; whether the file holds what its elements announce is therefore checked here.
+void require_complete(const std::string& file) {
+    std::ifstream in(file, std::ios::binary | std::ios::ate);
+    const std::streamoff size = in ? static_cast<std::streamoff>(in.tellg()) : 0;
+    char header[128] = {};
+    in.seekg(0);
+    if (size < 128 || !in.read(header, sizeof header) || std::strncmp(header, "MATLAB 5.0", 10) != 0) return;  // 4 and 7.3 are told by the library
+    const bool swapped = header[126] == 'M';  // written "MI" as one number: bytes in the other order read "MI"
+    const auto word = [&](const unsigned char* b) {
+        return swapped ? std::uint32_t{b[0]} << 24 | std::uint32_t{b[1]} << 16 | std::uint32_t{b[2]} << 8 | b[3] : std::uint32_t{b[3]} << 24 | std::uint32_t{b[2]} << 16 | std::uint32_t{b[1]} << 8 | b[0];
+    };
+    for (std::streamoff at = 128; at < size;) {
+        unsigned char tag[8];
+        in.seekg(at);
+        const bool whole = static_cast<bool>(in.read(reinterpret_cast<char*>(tag), sizeof tag));
+        at += 8 + (whole ? static_cast<std::streamoff>(word(tag + 4)) : 0);
+        if (!whole || at > size) throw ReadError(file, 0, "the file is truncated: its last variable is cut short", "a complete .mat file");
+    }
+}
+
 void append_columns(const matvar_t& variable, const std::string& name, std::size_t column, const std::string& file, DataTable& table) {
     const std::size_t rows = variable.dims[0], columns = variable.dims[1];
     const bool vector = rows == 1 || columns == 1;
@@ -122,6 +145,7 @@ void append_columns(const matvar_t& variable, const std::string& name, std::size
 }
 
 DataTable read_mat_here(const std::string& file, const std::vector<std::string>& wanted, const ReadLimits& limits) {
+    require_complete(file);
     Mat_LogInit("railpem");
     MatFile mat(file, limits);
     DataTable table;

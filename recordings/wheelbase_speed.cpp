@@ -59,15 +59,20 @@ std::vector<PairDelay> wheelbase_delays(const TimeSeries& series, const VehicleG
         for (double& value : samples.back())
             if (!std::isfinite(value)) value = 0.0;  // here a gap only lowers the correlation
     }
+    // Every pair is looked at over the delays of the longest one, on both sides of zero: channels that were swapped lag by
+    // another time, or the wrong way.
+    double farthest = 0.0;
+    for (const Channel& a : series.channels)
+        for (const Channel& b : series.channels)
+            if (const auto distance = distance_between(a.description, b.description, geometry); distance && comparable(a.description, b.description)) farthest = std::max(farthest, *distance);
+    const double longest = farthest / range.least_m_per_s;
     for (std::size_t i = 0; i < samples.size(); ++i)
         for (std::size_t j = 0; j < samples.size(); ++j) {
             const ChannelDescription &a = series.channels[i].description, &b = series.channels[j].description;
             const auto distance = distance_between(a, b, geometry);
             if (!distance || *distance <= 0.0 || !comparable(a, b)) continue;
-            // The whole width of the range is looked at on both sides of zero: channels that were swapped lag the wrong way.
-            const double longest = *distance / range.least_m_per_s;
             PairDelay pair{i, j, *distance, estimate_delay(samples[i], samples[j], series.sampling_rate_hz, {.least_s = -longest, .most_s = longest})};
-            if (pair.delay.found && std::abs(pair.delay.seconds) >= *distance / range.most_m_per_s) pairs.push_back(pair);
+            if (pair.delay.found && std::abs(pair.delay.seconds) >= 0.5 / series.sampling_rate_hz) pairs.push_back(pair);
         }
     return pairs;
 }

@@ -24,7 +24,8 @@ void check_mains(const Evidence& evidence, std::vector<Fault>& faults) {
                 const double multiple = std::round(line.frequency_hz / grid.frequency_hz);
                 if (multiple < 1.0 || multiple > grid.multiples || std::abs(line.frequency_hz - multiple * grid.frequency_hz) > multiple * grid.tolerance_hz) continue;
                 const double speed = evidence.speed ? evidence.speed->speed_m_per_s : evidence.recording.description.speed_m_per_s;
-                const std::string also = name_of_order(line.frequency_hz, speed, 0.005 * speed, evidence.context);
+                const double error = evidence.speed ? evidence.speed->standard_error_m_per_s : std::max(0.005 * speed, evidence.recording.description.speed_standard_error_m_per_s);
+                const std::string also = name_of_order(line.frequency_hz, speed, error, evidence.context);
                 Fault found;
                 found.kind = FaultKind::mains_hum;
                 found.severity = also.empty() ? Severity::warning : Severity::note;

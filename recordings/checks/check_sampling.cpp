@@ -124,16 +124,17 @@ void check_aliasing(const Evidence& evidence, std::vector<Fault>& faults) {
     const CrossSpectra& spectra = *evidence.spectra;
     const double half = 0.5 * spectra.sampling_rate_hz;
     for (std::size_t i = 0; i < spectra.size(); ++i) {
-        // Highest median in bands of a sixth of the range in log frequency, against the last tenth before half the rate.
+        // Highest median in bands of a third-octave (three bins at least), against the last tenth before half the rate.
         std::vector<double> last;
         double highest = 0.0;
         for (std::size_t k = 1; k < spectra.bins(); ++k)
             if (spectra.frequency_hz[k] > 0.88 * half && spectra.frequency_hz[k] < 0.98 * half) last.push_back(spectra.psd(k, i));
-        for (double low = 1.0; low < 0.88 * half; low *= 1.26) {
+        for (double low = 0.5; low < 0.88 * half; low *= 1.26) {
             std::vector<double> band;
+            const double high = std::max(1.26 * low, low + 3.1 * spectra.kernel().bin_hz());
             for (std::size_t k = 1; k < spectra.bins(); ++k)
-                if (spectra.frequency_hz[k] >= low && spectra.frequency_hz[k] < 1.26 * low) band.push_back(spectra.psd(k, i));
-            if (band.size() >= 3) highest = std::max(highest, median(band));
+                if (spectra.frequency_hz[k] >= low && spectra.frequency_hz[k] < high) band.push_back(spectra.psd(k, i));
+            highest = std::max(highest, median(band));
         }
         if (last.size() < 4 || highest <= 0.0) continue;
         const double fall_db = 10.0 * std::log10(highest / std::max(1e-300, median(last)));

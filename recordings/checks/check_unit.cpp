@@ -13,7 +13,7 @@ namespace {
 /// How far a sound case or a like channel may be off in level, dB, one standard deviation.
 constexpr double level_scatter_db = 4.0;
 /// Share of recordings whose unit is right, before looking.
-constexpr double prior_right = 0.9;
+constexpr double prior_right = 0.8;
 
 struct UnitError {
     double factor;
@@ -23,7 +23,7 @@ struct UnitError {
 constexpr std::array<UnitError, 6> unit_errors = {{{standard_gravity_m_per_s2, "9.81 too high: numbers in m/s^2 taken for g"},
                                                    {1.0 / standard_gravity_m_per_s2, "9.81 too low: numbers in g taken for m/s^2"},
                                                    {1e3, "1000 too high: numbers in mm taken for m"},
-                                                   {1e-3, "1000 too low: numbers in thousands (k) or m taken for mm"},
+                                                   {1e-3, "1000 too low: numbers in m taken for mm"},
                                                    {1e3 * standard_gravity_m_per_s2, "9810 too high"},
                                                    {1e-3 / standard_gravity_m_per_s2, "9810 too low"}}};
 
@@ -65,8 +65,9 @@ void against_prediction(const Evidence& evidence, std::size_t channel, std::vect
     const CrossSpectra& spectra = *evidence.spectra;
     const auto predicted = std::find_if(evidence.context.predicted.begin(), evidence.context.predicted.end(), [&](const PredictedSpectrum& p) { return p.channel == evidence.name(channel); });
     if (predicted == evidence.context.predicted.end()) return;
-    // Median over third-octave steps of the level difference: a wrong peak or a noise floor does not move it.
-    std::vector<double> differences;
+    // Median over third-octave steps of the level difference, of the bands within 25 dB of the strongest predicted one: a wrong peak
+    // does not move it, and bands that hold nothing but the sensor's noise do not count.
+    std::vector<double> differences, weights;
     for (double centre = 2.0; centre < 0.4 * spectra.sampling_rate_hz; centre *= std::pow(10.0, 0.1)) {
         double measured = 0.0, expected = 0.0;
         for (std::size_t k = 1; k < spectra.bins(); ++k)
@@ -74,10 +75,17 @@ void against_prediction(const Evidence& evidence, std::size_t channel, std::vect
                 measured += spectra.psd(k, channel);
                 expected += interpolated(*predicted, spectra.frequency_hz[k]);
             }
-        if (measured > 0.0 && expected > 0.0) differences.push_back(10.0 * std::log10(measured / expected));
+        if (measured <= 0.0 || expected <= 0.0) continue;
+        differences.push_back(10.0 * std::log10(measured / expected));
+        weights.push_back(expected);
     }
-    if (differences.size() < 4) return;
-    const double level = median(differences);
+    if (differences.empty()) return;
+    const double least = *std::max_element(weights.begin(), weights.end()) * std::pow(10.0, -2.5);
+    std::vector<double> strong;
+    for (std::size_t i = 0; i < weights.size(); ++i)
+        if (weights[i] >= least) strong.push_back(differences[i]);
+    if (strong.size() < 3) return;
+    const double level = median(strong);
     double none = 1.0;
     const UnitError* error = explain(level, none);
     if (!error || none > 0.01) return;
@@ -85,7 +93,7 @@ void against_prediction(const Evidence& evidence, std::size_t channel, std::vect
     found.kind = FaultKind::wrong_unit;
     found.severity = Severity::error;
     found.channels = {evidence.name(channel)};
-    found.says = fmt::format("{:.1f} dB above what the case predicts: most likely a factor {}", level, error->says);
+    found.says = fmt::format("{:.1f} dB {} what the case predicts: most likely a factor {}", std::abs(level), level > 0.0 ? "above" : "below", error->says);
     found.value = error->factor;
     found.unit = "1";
     found.false_alarm = none;

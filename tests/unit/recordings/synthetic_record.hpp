@@ -58,7 +58,9 @@ inline std::array<Complex, 9> response(double f, const SyntheticRecord& record) 
     y[6] = body * (0.8 * y[4] + 0.2 * y[5]);
     y[7] = body * (0.2 * y[4] + 0.8 * y[5]);
     y[8] = 0.5 * (y[6] + y[7]);
-    for (Complex& value : y) value *= -omega * omega;
+    // The acquisition's anti-aliasing filter, Butterworth of twelfth order at 0.33 of the sampling rate, without its phase.
+    const double filter = 1.0 / std::sqrt(1.0 + std::pow(f / (0.33 * record.sampling_rate_hz), 24));
+    for (Complex& value : y) value *= -omega * omega * filter;
     return y;
 }
 
