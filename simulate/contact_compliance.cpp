@@ -6,8 +6,8 @@ namespace railpem::simulate {
 
 namespace {
 
-/// Places per bay: linear interpolation between them errs by less than 1e-3 of the compliance.
-constexpr int places = 96;
+/// Places per bay: linear interpolation between them errs by less than 1e-4 of the compliance.
+constexpr int places = 256;
 
 std::vector<Pair> response_to_unit_load(const TrackWindow& track, const Stencil& at) {
     std::vector<Pair> values(track.nodes(), Pair{});

@@ -6,7 +6,7 @@ namespace railpem::tests {
 namespace {
 
 void expect_agreement(const pem::CaseParameters& parameters) {
-    const auto differences = compare_standing(parameters, standing_options(parameters, 16.0));
+    const auto differences = compare(parameters, standing_options(parameters, 16.0));
     for (const ChannelDifference& d : differences) {
         std::printf("%-10s median %.4f largest %.4f dB\n", d.channel.c_str(), d.median_db, d.largest_db);
         EXPECT_LT(d.median_db, 0.05) << d.channel;
