@@ -50,7 +50,7 @@ inline simulate::Options standing_options(const pem::CaseParameters& parameters,
     options.seconds = seconds;
     options.profile_length_m = seconds * parameters.running.speeds_m_per_s.front();
     options.repeat_profile = true;
-    options.settling_s = 8.0;
+    options.settling_s = 6.0;
     options.linear_contact = true;
     options.linear_pads = true;
     return options;
@@ -67,6 +67,7 @@ inline std::vector<ChannelDifference> compare(pem::CaseParameters parameters, co
     parameters.frequency = {.from_hz = resolution, .to_hz = 200.0, .step_hz = resolution};
     parameters.solver.moving = options.mode == simulate::Mode::moving;
     const pem::Solution solution = pem::solve_case(parameters, speed);
+    parameters.contact.patch_half_length_m = 0.0;  // the patch is part of the transfer functions
     const simulate::Travel travel{.speed_m_per_s = speed, .wander = {}};
     const simulate::Excitation excitation = simulate::make_excitation(parameters, options, travel, -1.0, options.seconds, recording.making.step_s);
     std::vector<double> met(n);
