@@ -21,10 +21,11 @@ namespace {
                                  folder.string(), reason));
 }
 
-[[noreturn]] void fail_file(const fs::path& file, int error_number) {
-    throw OutputError(
-        fmt::format("cannot write {}: {}\nnothing of this run was kept", file.string(), std::strerror(error_number)));
+[[noreturn]] void fail_file(const fs::path& file, const std::string& reason, const std::string& consequence) {
+    throw OutputError(fmt::format("cannot write {}: {}{}", file.string(), reason, consequence));
 }
+
+constexpr const char* kNothingKept = "\nnothing of this run was kept";
 
 /// Writes and flushes to the disk, so that a full disk is found here and not after the run has said that all is well.
 /// Returns 0, or the error number.
@@ -77,20 +78,24 @@ void OutputFolder::make_folders() {
             refuse_folder(folder_, failure.message());
         }
     }
-    if (!fs::is_directory(folder_, status)) refuse_folder(folder_, "not a folder");
+    if (!fs::is_directory(folder_, status)) refuse_folder(folder_, std::strerror(ENOTDIR));
 }
 
 void OutputFolder::write(const std::string& name, const std::string& content) {
     const File file{folder_ / fmt::format(".{}.{}.partial", name, ::getpid()), folder_ / name};
     files_.push_back(file);
-    if (const int failure = write_file(file.temporary, content); failure != 0) fail_file(file.final_name, failure);
+    const int failure = write_file(file.temporary, content);
+    if (failure != 0) fail_file(file.final_name, std::strerror(failure), kNothingKept);
 }
 
 void OutputFolder::commit() {
+    std::error_code failure;
+    for (const File& file : files_)
+        if (fs::is_directory(file.final_name, failure))
+            fail_file(file.final_name, "a folder of that name is in the way", kNothingKept);
     for (const File& file : files_) {
-        std::error_code failure;
         fs::rename(file.temporary, file.final_name, failure);
-        if (failure) fail_file(file.final_name, failure.value());
+        if (failure) fail_file(file.final_name, failure.message(), "");
     }
     files_.clear();
     made_.clear();

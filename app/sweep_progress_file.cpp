@@ -1,7 +1,10 @@
 #include "app/sweep_progress_file.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 
@@ -12,8 +15,13 @@ namespace railpem::app {
 
 namespace {
 
-constexpr char kMagic[8] = {'r', 'a', 'i', 'l', 'p', 's', 'w', '1'};
-constexpr std::size_t kHeader = sizeof kMagic + 2 * sizeof(std::uint64_t);
+constexpr char kMagic[8] = {'r', 'a', 'i', 'l', 'p', 's', 'w', '2'};
+
+struct Header {
+    char magic[8];
+    std::uint64_t fingerprint;
+    std::uint64_t rows;
+};
 
 /// FNV-1a, 64 bits: tells sweeps apart, no defence against malice.
 std::uint64_t fingerprint(const std::string& text) {
@@ -24,52 +32,62 @@ std::uint64_t fingerprint(const std::string& text) {
 
 }  // namespace
 
-SweepProgressFile::SweepProgressFile(std::filesystem::path path, const std::string& identity, std::size_t record)
-    : path_(std::move(path)), record_(record) {
-    const std::uint64_t header[2] = {fingerprint(identity), record};
-    std::error_code ignored;
-    const std::uintmax_t size = std::filesystem::exists(path_) ? std::filesystem::file_size(path_, ignored) : 0;
-    const bool fresh = size < kHeader;  // killed before the header was out: nothing lost
-    file_ = std::fopen(path_.c_str(), fresh ? "w+b" : "r+b");
-    if (!file_) throw InputError(fmt::format("{}: cannot be opened: {}\nallowed: a folder that can be written", path_.string(), std::strerror(errno)));
-    if (fresh) {
-        if (std::fwrite(kMagic, sizeof kMagic, 1, file_) != 1 || std::fwrite(header, sizeof header, 1, file_) != 1 || std::fflush(file_) != 0)
+SweepProgressFile::SweepProgressFile(std::filesystem::path path, const std::string& identity, std::size_t cases, std::size_t rows)
+    : path_(std::move(path)), rows_(rows), finished_(cases, 0) {
+    file_ = open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    if (file_ < 0)
+        throw InputError(fmt::format("{}: cannot be opened: {}\nallowed: a folder that can be written", path_.string(), std::strerror(errno)));
+    Header expected{{}, fingerprint(identity), rows}, found{};
+    std::memcpy(expected.magic, kMagic, sizeof kMagic);
+    const ssize_t size = pread(file_, &found, sizeof found, 0);
+    if (size < static_cast<ssize_t>(sizeof found)) {  // new, or killed before the header was out: nothing lost
+        if (pwrite(file_, &expected, sizeof expected, 0) != static_cast<ssize_t>(sizeof expected))
             throw OutputError(fmt::format("{}: {}", path_.string(), std::strerror(errno)));
         return;
     }
-    char magic[sizeof kMagic];
-    std::uint64_t found[2];
-    if (std::fread(magic, sizeof magic, 1, file_) != 1 || std::fread(found, sizeof found, 1, file_) != 1 ||
-        std::memcmp(magic, kMagic, sizeof magic) != 0 || found[0] != header[0] || found[1] != header[1])
+    if (std::memcmp(&found, &expected, sizeof found) != 0)
         throw InputError(fmt::format("{}: holds the unfinished results of another sweep (or of another version of the case or the program)\n"
                                      "allowed: the sweep that it belongs to; another --out; or delete the file", path_.string()));
-    finished_ = (size - kHeader) / (record_ * sizeof(double));
-    std::filesystem::resize_file(path_, kHeader + finished_ * record_ * sizeof(double));
-    std::fseek(file_, 0, SEEK_END);
+    read_marks();
 }
 
 SweepProgressFile::~SweepProgressFile() {
-    if (file_) std::fclose(file_);
+    if (file_ >= 0) close(file_);
 }
 
-void SweepProgressFile::append(const std::vector<double>& records) {
-    std::fseek(file_, 0, SEEK_END);
-    if (std::fwrite(records.data(), sizeof(double), records.size(), file_) != records.size() || std::fflush(file_) != 0)
-        throw OutputError(fmt::format("{}: {}; {} finished cases are kept, the same command goes on from there", path_.string(), std::strerror(errno), finished_));
-    finished_ += records.size() / record_;
+void SweepProgressFile::read_marks() {
+    for (std::size_t index = 0; index < finished_.size(); ++index) {
+        double mark = 0.0;
+        const off_t place = static_cast<off_t>(sizeof(Header) + ((index + 1) * (rows_ + 1) - 1) * sizeof(double));
+        if (pread(file_, &mark, sizeof mark, place) == static_cast<ssize_t>(sizeof mark) && mark == static_cast<double>(index + 1)) {
+            finished_[index] = 1;
+            ++finished_at_start_;
+        }
+    }
 }
 
-std::vector<double> SweepProgressFile::read(std::size_t first, std::size_t count) {
-    std::vector<double> records(count * record_);
-    std::fseek(file_, static_cast<long>(kHeader + first * record_ * sizeof(double)), SEEK_SET);
-    if (std::fread(records.data(), sizeof(double), records.size(), file_) != records.size())
+void SweepProgressFile::write(std::size_t index, const std::vector<double>& values) {
+    std::vector<double> record = values;
+    record.push_back(static_cast<double>(index + 1));
+    const std::size_t bytes = record.size() * sizeof(double);
+    if (pwrite(file_, record.data(), bytes, static_cast<off_t>(sizeof(Header) + index * bytes)) != static_cast<ssize_t>(bytes))
+        throw OutputError(fmt::format("{}: {}; finished cases are kept, the same command goes on from there", path_.string(), std::strerror(errno)));
+    finished_[index] = 1;
+}
+
+std::vector<double> SweepProgressFile::read(std::size_t first, std::size_t count) const {
+    std::vector<double> records(count * (rows_ + 1));
+    const std::size_t bytes = records.size() * sizeof(double);
+    if (pread(file_, records.data(), bytes, static_cast<off_t>(sizeof(Header) + first * (rows_ + 1) * sizeof(double))) != static_cast<ssize_t>(bytes))
         throw OutputError(fmt::format("{}: cannot be read back", path_.string()));
+    for (std::size_t i = 0; i < count; ++i) std::copy_n(records.begin() + static_cast<long>(i * (rows_ + 1)), rows_, records.begin() + static_cast<long>(i * rows_));
+    records.resize(count * rows_);
     return records;
 }
 
 void SweepProgressFile::remove() {
-    std::fclose(file_);
-    file_ = nullptr;
+    close(file_);
+    file_ = -1;
     std::error_code ignored;
     std::filesystem::remove(path_, ignored);
 }

@@ -1,9 +1,10 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
+#include <atomic>
 #include <filesystem>
 #include <memory>
+#include <mutex>
 
 #include "app/output_folder.hpp"
 #include "app/program_version.hpp"
@@ -16,8 +17,7 @@ namespace railpem::app {
 
 namespace {
 
-constexpr std::size_t kRecordsPerBlock = 1u << 18;  ///< numbers computed between two writes: 2 MB
-constexpr double kLargestCsv = 100e6;               ///< bytes; beyond it the automatic format is HDF5
+constexpr double kLargestCsv = 100e6;  ///< bytes; beyond it the automatic format is HDF5
 
 struct SweepRequest {
     std::string sweep;
@@ -54,16 +54,16 @@ int sweep(const SweepRequest& request) {
         OutputFolder made(folder);  // refuses what cannot be written
         made.commit();
     }
-    SweepProgressFile results(folder / (file.name + ".unfinished"), identity(file), rows);
+    SweepProgressFile results(folder / (file.name + ".unfinished"), identity(file), cases, rows);
     ProgressBar bar(file.name);
-    const std::size_t block = std::max<std::size_t>(1, kRecordsPerBlock / rows);
-    while (results.finished() < cases) {
-        const std::size_t count = std::min(block, cases - results.finished());
-        std::vector<double> values(count * rows);
-        pem::run_sweep(file.plan, results.finished(), count, request.threads, values.data());
-        results.append(values);
-        bar.show(results.finished(), cases);
-    }
+    std::atomic<std::size_t> done = results.finished_at_start();
+    std::mutex drawing;
+    pem::run_sweep(file.plan, request.threads, {.finished = [&](std::size_t index) { return results.finished(index); },
+                                                .done = [&](std::size_t index, const std::vector<double>& values) {
+                                                    results.write(index, values);
+                                                    const std::size_t now = ++done;
+                                                    if (const std::unique_lock lock(drawing, std::try_to_lock); lock) bar.show(now, cases);
+                                                }});
     const SweepValues read = [&](std::size_t first, std::size_t count) { return results.read(first, count); };
     if (as_hdf5(request, file))
         write_sweep_hdf5(folder / (file.name + ".h5"), file.plan, read);

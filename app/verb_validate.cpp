@@ -4,15 +4,20 @@
 #include <memory>
 
 #include "app/case_schema.hpp"
+#include "app/sweep_schema.hpp"
 #include "app/verbs.hpp"
 
 namespace railpem::app {
 
 namespace {
 
+/// Every input file says what it is by its keys: only a sweep names a case.
+bool is_sweep(const Document& document) { return document.root.find("case") != nullptr; }
+
 int validate(const std::string& path) {
-    const CaseFile file = read_case(path, {});
-    fmt::print("{}: a valid case{}{}\n", path, file.parameters.title.empty() ? "" : ": ", file.parameters.title);
+    const bool sweep = is_sweep(read_document(path));
+    const std::string title = sweep ? read_sweep(path, {}).description.title : read_case(path, {}).parameters.title;
+    fmt::print("{}: a valid {}{}{}\n", path, sweep ? "sweep" : "case", title.empty() ? "" : ": ", title);
     return 0;
 }
 

@@ -4,7 +4,6 @@
 #include <omp.h>
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <exception>
 #include <limits>
@@ -84,16 +83,14 @@ void append_quantity(const SweepPlan& plan, const SweepQuantity& wanted, const S
     }
 }
 
-void evaluate(const SweepPlan& plan, std::size_t index, int threads, std::size_t rows, double* values) {
+std::vector<double> evaluate(const SweepPlan& plan, std::size_t index, int threads) {
     const CaseParameters parameters = sweep_case(plan, index);
-    std::vector<double> row_values;
-    row_values.reserve(rows);
+    std::vector<double> values;
     for (const double speed : parameters.running.speeds_m_per_s) {
         const Solution solution = solve_case(parameters, speed, {.threads = threads});
-        for (const SweepQuantity& quantity : plan.quantities) append_quantity(plan, quantity, solution, parameters.frequency.step_hz, row_values);
+        for (const SweepQuantity& quantity : plan.quantities) append_quantity(plan, quantity, solution, parameters.frequency.step_hz, values);
     }
-    assert(row_values.size() == rows);
-    std::copy(row_values.begin(), row_values.end(), values);
+    return values;
 }
 
 }  // namespace
@@ -147,20 +144,21 @@ std::vector<SweepRow> sweep_rows(const SweepPlan& plan) {
     return rows;
 }
 
-void run_sweep(const SweepPlan& plan, std::size_t first, std::size_t count, int threads, double* values) {
-    const std::size_t rows = sweep_rows(plan).size();
+void run_sweep(const SweepPlan& plan, int threads, const SweepObserver& observer) {
+    const std::size_t cases = sweep_size(plan);
     const int available = threads > 0 ? threads : omp_get_max_threads();
-    if (count < static_cast<std::size_t>(available)) {
-        for (std::size_t i = 0; i < count; ++i) evaluate(plan, first + i, available, rows, values + i * rows);
-        return;
-    }
+    const bool few = cases < static_cast<std::size_t>(available);
     std::exception_ptr failure;
-#pragma omp parallel for schedule(dynamic, 1) num_threads(available)
-    for (std::size_t i = 0; i < count; ++i) {
+#pragma omp parallel for schedule(dynamic, 1) num_threads(few ? 1 : available)
+    for (std::size_t index = 0; index < cases; ++index) {
+        bool failed = false;
+#pragma omp critical(railpem_sweep_failure)
+        failed = failure != nullptr;
+        if (failed || observer.finished(index)) continue;
         try {
-            evaluate(plan, first + i, 1, rows, values + i * rows);
+            observer.done(index, evaluate(plan, index, few ? available : 1));
         } catch (...) {
-#pragma omp critical
+#pragma omp critical(railpem_sweep_failure)
             failure = std::current_exception();
         }
     }

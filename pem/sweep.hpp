@@ -70,9 +70,15 @@ CaseParameters sweep_case(const SweepPlan& plan, std::size_t index);
 /// The rows that every case has, in order. The varied parameters must not change the number of lines or speeds.
 std::vector<SweepRow> sweep_rows(const SweepPlan& plan);
 
-/// Values of the rows of cases first … first + count − 1, row after row and case after case, into `values` (count·rows numbers).
-/// Cases run in parallel, each on one thread; with fewer cases than threads the lines of each do. The same bits for any number of
-/// threads and any way of cutting the sweep. Throws parameters::ParameterError when a case has no static equilibrium.
-void run_sweep(const SweepPlan& plan, std::size_t first, std::size_t count, int threads, double* values);
+/// What becomes of a sweep while it runs. Both are called from several threads at a time.
+struct SweepObserver {
+    std::function<bool(std::size_t index)> finished;  ///< cases to leave out
+    std::function<void(std::size_t index, const std::vector<double>& values)> done;  ///< the values of a case's rows, in order
+};
+
+/// Runs every case that is not finished. Cases run in parallel, each on one thread; with fewer cases than threads the lines of each do.
+/// The same bits for any number of threads. Throws what a case throws (parameters::ParameterError without a static equilibrium)
+/// or `done` throws; cases that were done stay done.
+void run_sweep(const SweepPlan& plan, int threads, const SweepObserver& observer);
 
 }  // namespace railpem::pem
