@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "parameters/parameter_error.hpp"
 #include "recordings/checks/checks.hpp"
@@ -84,8 +85,12 @@ void add_channel(const checks::Evidence& evidence, std::size_t i, InspectionRepo
     }
     inspection.lines = evidence.lines[i];
     const double speed = speed_for_names(report);
-    for (const SpectralLine& line : inspection.lines)
-        inspection.line_names.push_back(name_of_line(line.frequency_hz, speed, std::max(report.speed_error_m_per_s, report.speed_m_per_s > 0.0 ? 0.0 : std::max(0.01 * speed, report.stated_speed_error_m_per_s)), evidence.context));
+    const double speed_error = report.speed_m_per_s > 0.0 ? report.speed_error_m_per_s : std::max(0.01 * speed, report.stated_speed_error_m_per_s);
+    for (const SpectralLine& line : inspection.lines) {
+        std::string name = name_of_line(line.frequency_hz, speed, speed_error, evidence.context);
+        if (name.empty() && report.wheel_orders) name = name_by_rotation(line.frequency_hz, *report.wheel_orders);
+        inspection.line_names.push_back(std::move(name));
+    }
     report.channels.push_back(std::move(inspection));
 }
 
@@ -175,6 +180,7 @@ InspectionReport inspect(const Recording& recording, const InspectionContext& co
         report.speed_error_m_per_s = evidence.speed->standard_error_m_per_s;
         report.speed_pairs = evidence.speed->pairs_used;
     }
+    report.wheel_orders = wheel_orders_of(evidence.lines, speed_for_names(report));
     for (std::size_t i = 0; i < series.channels.size(); ++i) add_channel(evidence, i, report);
     add_spectra(evidence, report);
     checks::check_samples(evidence, report.faults);
@@ -188,7 +194,9 @@ InspectionReport inspect(const Recording& recording, const InspectionContext& co
     checks::check_stationarity(evidence, report.faults);
     checks::check_impacts(evidence, report.faults);
     sort_faults(report.faults);
-    report.named_frequencies = named_frequencies(speed_for_names(report), 0.5 * report.sampling_rate_hz, context);
+    InspectionContext known = context;
+    if (known.wheel_radius_m <= 0.0 && report.wheel_orders) known.wheel_radius_m = speed_for_names(report) / (2.0 * std::numbers::pi * report.wheel_orders->rotation_hz);
+    report.named_frequencies = named_frequencies(speed_for_names(report), 0.5 * report.sampling_rate_hz, known);
     report.spectrograms = spectrograms_of(series);
     add_not_checked(evidence, report);
     return report;
@@ -199,11 +207,11 @@ InspectionReport inspect_file(const RecordingDescription& description, const std
     load_in_sections(description, base, samples, [&](const Recording& section) {
         InspectionReport part = inspect(section, context);
         const double start = section.series.start_s;
-        for (Fault& fault : part.faults)
-            if (fault.from_s != 0.0 || fault.to_s != 0.0 || start > 0.0) {
-                fault.from_s += start;
-                fault.to_s = fault.to_s + start > fault.from_s ? fault.to_s + start : start + part.duration_s;
-            }
+        for (Fault& fault : part.faults) {
+            const bool everywhere = fault.from_s == 0.0 && fault.to_s == 0.0;
+            fault.from_s += start;
+            fault.to_s += everywhere && start > 0.0 ? start + part.duration_s : start;
+        }
         // Of the later sections only what is joined is kept: memory stays bounded.
         if (!parts.empty()) {
             part.coherences.clear();

@@ -2,6 +2,7 @@
 // What a recording holds and whether it can be trusted: one result, three writers (text, JSON, HTML).
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "recordings/inspection_context.hpp"
 #include "recordings/recording.hpp"
 #include "recordings/spectral_lines.hpp"
+#include "recordings/wheel_orders.hpp"
 
 namespace railpem::recordings {
 
@@ -54,6 +56,7 @@ struct InspectionReport {
     double stated_speed_m_per_s = 0.0, stated_speed_error_m_per_s = 0.0;  ///< 0: not stated
     double speed_m_per_s = 0.0, speed_error_m_per_s = 0.0;                ///< from the delays; 0: could not be told
     int speed_pairs = 0;
+    std::optional<WheelOrders> wheel_orders;  ///< when enough lines are multiples of one rotation
     double averages = 0.0, coherence_limit = 1.0;   ///< of one bin; 5 % limit of the coherence of unrelated channels
     double interval_low_db = 0.0, interval_high_db = 0.0;  ///< 90 % interval of one bin
     std::vector<double> frequency_hz;
