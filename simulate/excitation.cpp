@@ -76,7 +76,11 @@ Excitation make_excitation(const pem::CaseParameters& parameters, const Options&
     ProfileRequest request;
     request.from_m = travel.distance(start_s) + wheels.back() - 1.0;
     request.to_m = travel.distance(end_s) + wheels.front() + 1.0;
-    request.length_m = options.profile_length_m;
+    // The automatic length depends on what was asked for, not on how long the sensors' filters ring: the same seed is then
+    // the same line, whatever a sensor does.
+    constexpr double allowance_s = 1.0;
+    const double usual = travel.speed_m_per_s * (options.seconds + options.settling_s + allowance_s) + wheels.front() - wheels.back();
+    request.length_m = options.profile_length_m > 0.0 ? options.profile_length_m : std::max(usual, request.to_m - request.from_m);
     request.may_repeat = options.repeat_profile;
     request.shortest_wavelength_m = shortest_wavelength_m(parameters.irregularity, travel.speed_m_per_s, step_s);
     request.patch_half_length_m = parameters.contact.patch_half_length_m;

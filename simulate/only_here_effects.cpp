@@ -36,9 +36,9 @@ void add_in_vehicle(std::vector<HiddenEffect>& list) {
 }
 
 void add_in_track(std::vector<HiddenEffect>& list) {
-    list.push_back(effect("pad-dead-band", "pad", "the fastening has play: the pad hardly carries until it is taken up",
-                          {number("gap_m", "m", 2e-5, 1e-3, 2e-4, "of the play")},
-                          [](Values v, HiddenTarget t) { t.only_here.pad_dead_band.gap_m = v.numbers.at("gap_m"); }));
+    list.push_back(effect("pad-dead-band", "pad", "the fastening has play: beyond some load the pad gives before it stiffens again",
+                          {number("gap_m", "m", 2e-5, 2e-3, 3e-4, "of the play"), number("at_load_n", "N", 0, 8e4, 2e4, "load of the pad at which it begins")},
+                          [](Values v, HiddenTarget t) { t.only_here.pad_dead_band = {v.numbers.at("gap_m"), v.numbers.at("at_load_n")}; }));
     list.push_back(effect("wandering-subgrade", "support", "the ground resonates at a frequency that wanders along the line",
                           {number("mass_kg", "kg", 50, 5000, 800, "per seat"), number("frequency_hz", "Hz", 10, 120, 35, "mean"), number("damping_ratio", "1", 0.02, 0.6, 0.1, "of the ground"), number("variation", "1", 0, 0.6, 0.25, "relative amplitude of the wandering"),
                            number("length_m", "m", 20, 2000, 150, "of one wave of it")},

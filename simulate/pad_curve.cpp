@@ -111,13 +111,16 @@ double unloaded_force(const track::TrackParameters& track) {
     return track.statics.clip_preload_n + mass * track.statics.gravity_m_per_s2 * track.spacing_m;
 }
 
-/// The curve with a soft stretch of the given width inserted at the unloaded state, smooth over its ends.
-PadCurve with_dead_band(const PadCurve& curve, double width) {
+/// The curve with a soft stretch inserted where the play's load is reached, smooth over its ends.
+PadCurve with_dead_band(const PadCurve& curve, const PadDeadBand& play) {
+    const double width = play.gap_m;
     if (width <= 0.0) return curve;
+    const double start = curve.compression(play.at_load_n);
     constexpr double left_in_band = 0.1;
     PadCurve with = curve;
     const auto share = [&](double x) {  // of the stiffness that acts at x
-        const double blend = std::clamp(std::min(x / (0.1 * width), (width - x) / (0.1 * width)), 0.0, 1.0);
+        const double into = x - start;
+        const double blend = std::clamp(std::min(into, width - into) / (0.1 * width), 0.0, 1.0);
         return 1.0 - (1.0 - left_in_band) * blend * blend * (3.0 - 2.0 * blend);
     };
     double inner = curve.first_m;  // compression of the pad proper
@@ -132,7 +135,7 @@ PadCurve with_dead_band(const PadCurve& curve, double width) {
 
 }  // namespace
 
-bool is_nonlinear(const track::PadParameters& pads, double dead_band_m) { return pads.preload_strength > 0.0 || dead_band_m > 0.0; }
+bool is_nonlinear(const track::PadParameters& pads, const PadDeadBand& play) { return pads.preload_strength > 0.0 || play.gap_m > 0.0; }
 
 double PadCurve::force(double x) const {
     const double place = (x - first_m) / step_m;
@@ -162,22 +165,22 @@ double PadCurve::compression(double force_sought) const {
     return x;
 }
 
-PadCurve static_curve(const track::TrackParameters& track, double dead_band_m) {
+PadCurve static_curve(const track::TrackParameters& track, const PadDeadBand& play) {
     const track::PadParameters& pads = track.pads;
-    if (pads.preload_strength <= 0.0) return with_dead_band(integrate([&](double) { return pads.static_stiffness_n_per_m; }), dead_band_m);
+    if (pads.preload_strength <= 0.0) return with_dead_band(integrate([&](double) { return pads.static_stiffness_n_per_m; }), play);
     const StaticLaw law = static_law(pads);
     const double unloaded = unloaded_force(track);
-    return with_dead_band(integrate([&](double force) { return law.tangent(unloaded + force); }), dead_band_m);
+    return with_dead_band(integrate([&](double force) { return law.tangent(unloaded + force); }), play);
 }
 
-PadCurve dynamic_curve(const track::TrackParameters& track, double dead_band_m) {
+PadCurve dynamic_curve(const track::TrackParameters& track, const PadDeadBand& play) {
     const track::PadParameters& pads = track.pads;
     const double ratio = pads.dynamic_to_static_ratio;
     const double s = pads.preload_strength;
-    if (s <= 0.0) return with_dead_band(integrate([&](double) { return ratio * pads.static_stiffness_n_per_m; }), dead_band_m);
+    if (s <= 0.0) return with_dead_band(integrate([&](double) { return ratio * pads.static_stiffness_n_per_m; }), play);
     const StaticLaw law = static_law(pads);
     const double unloaded = unloaded_force(track);
-    return with_dead_band(integrate([&](double force) { return ratio * ((1.0 - s) * pads.static_stiffness_n_per_m + s * law.tangent(unloaded + force)); }), dead_band_m);
+    return with_dead_band(integrate([&](double force) { return ratio * ((1.0 - s) * pads.static_stiffness_n_per_m + s * law.tangent(unloaded + force)); }), play);
 }
 
 }  // namespace railpem::simulate

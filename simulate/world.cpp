@@ -90,13 +90,13 @@ void set_laws(TrackWindow& window, const track::TrackParameters& track, const Op
         window.dampers.push_back({.mass_kg = mass, .stiffness_n_per_m = mass * omega * omega, .damping_n_s_per_m = damper.loss_factor * mass * omega, .coupling = 0.0, .receptance = 0.0});
     }
     window.damper_motion.assign(window.dampers.size(), std::vector<Motion>(window.nodes()));
-    const double gap = options.only_here.pad_dead_band.gap_m;
+    const PadDeadBand& play = options.only_here.pad_dead_band;
     SeatLaw& law = window.law;
     law.chain = pad_chain(track.pads);
     law.dashpot_n_s_per_m = pad_dashpot_n_s_per_m(track.pads);
-    law.curve = dynamic_curve(track, gap);
+    law.curve = dynamic_curve(track, play);
     law.reference_stiffness_n_per_m = law.curve.tangent(0.0);
-    law.nonlinear = is_nonlinear(track.pads, gap) && !(options.mode == Mode::standing && options.linear_pads);
+    law.nonlinear = is_nonlinear(track.pads, play) && !(options.mode == Mode::standing && options.linear_pads);
     law.oscillators = seat_oscillators(track.support, options.only_here.wandering_subgrade);
     window.variation = seat_variation(track, options.only_here.wandering_subgrade);
     window.seats.assign(static_cast<std::size_t>(window.bays + 1), fresh_seat(law));
@@ -155,8 +155,8 @@ World make_world(const pem::CaseParameters& parameters, const Options& options, 
         set_down(world, start);
     } else {
         world.rail_reference_n = contact.static_load_n;
-        if (is_nonlinear(parameters.track.pads, options.only_here.pad_dead_band.gap_m))
-            start_standing(world.track, world.step, static_section(parameters.track), static_curve(parameters.track, options.only_here.pad_dead_band.gap_m), wheel_places(world, 0.0), contact.static_load_n);
+        if (is_nonlinear(parameters.track.pads, options.only_here.pad_dead_band))
+            start_standing(world.track, world.step, static_section(parameters.track), static_curve(parameters.track, options.only_here.pad_dead_band), wheel_places(world, 0.0), contact.static_load_n);
     }
     const double advance_m = moving ? speed_m_per_s * step_s * (1.0 - RadauStep::first_stage) : 0.0;
     world.compliance = tabulate_compliance(world.track, advance_m);
