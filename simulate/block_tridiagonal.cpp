@@ -14,7 +14,9 @@ Block times(const Block& a, const Block& b) {
             product(a[2], b[0]) + product(a[3], b[2]), product(a[2], b[1]) + product(a[3], b[3])};
 }
 
-Block transposed(const Block& a) { return {a[0], a[2], a[1], a[3]}; }
+Block transposed(const Block& a) {
+    return {a[0], a[2], a[1], a[3]};
+}
 
 /// target −= a·x.
 inline void subtract(Pair& target, const Block& a, const Pair& x) {
@@ -60,8 +62,8 @@ void factorise(const BlockTridiagonal& matrix, BlockFactors& factors) {
 
 void solve(const BlockFactors& factors, std::vector<Pair>& values) {
     const std::size_t n = values.size();
-    const std::size_t middle = n / 2;            // nodes before it
-    const std::size_t after = n - 1 - middle;    // nodes behind it: as many, or one fewer
+    const std::size_t middle = n / 2;          // nodes before it
+    const std::size_t after = n - 1 - middle;  // nodes behind it: as many, or one fewer
     if (middle > after) subtract(values[1], factors.carry[0], values[0]);
     const std::size_t first = middle - after;
     for (std::size_t i = 0; i < after; ++i) {

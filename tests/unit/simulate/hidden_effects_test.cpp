@@ -16,7 +16,10 @@ std::string minimal(const HiddenEffect& effect) {
     char separator = ':';
     for (const HiddenParameter& p : effect.parameters) {
         if (!p.is_text) continue;
-        text += separator + p.name + "=" + (p.name == "channel" ? "bogie_1" : p.name == "stage" ? "primary" : "track.pads.damping_n_s_per_m");
+        text += separator + p.name + "=" +
+                (p.name == "channel" ? "bogie_1"
+                 : p.name == "stage" ? "primary"
+                                     : "track.pads.damping_n_s_per_m");
         separator = ',';
     }
     if (effect.id == "failed-fasteners") text += ":every=4";
@@ -24,10 +27,32 @@ std::string minimal(const HiddenEffect& effect) {
 }
 
 TEST(HiddenEffects, EveryOneOfTheCatalogueAndAtLeastSixMore) {
-    const std::set<std::string> catalogue{"pad-frequency-stiffening", "pad-preload-stiffening", "pad-hysteresis", "rail-shear", "support-compliance", "sleeper-flexibility", "rail-damper",
-                                          "failed-fasteners", "sleeper-passing", "wheel-out-of-roundness", "rail-corrugation", "rail-joints", "irregularity-spectrum", "body-bending",
-                                          "wheelset-bending", "bogie-mounted-mass", "primary-damper-series-stiffness", "secondary-damper-series-stiffness", "suspension-friction", "contact-nonlinearity",
-                                          "contact-filter", "sensor-gain", "sensor-resonance", "sensor-noise", "timing-skew", "parameter-error"};
+    const std::set<std::string> catalogue{"pad-frequency-stiffening",
+                                          "pad-preload-stiffening",
+                                          "pad-hysteresis",
+                                          "rail-shear",
+                                          "support-compliance",
+                                          "sleeper-flexibility",
+                                          "rail-damper",
+                                          "failed-fasteners",
+                                          "sleeper-passing",
+                                          "wheel-out-of-roundness",
+                                          "rail-corrugation",
+                                          "rail-joints",
+                                          "irregularity-spectrum",
+                                          "body-bending",
+                                          "wheelset-bending",
+                                          "bogie-mounted-mass",
+                                          "primary-damper-series-stiffness",
+                                          "secondary-damper-series-stiffness",
+                                          "suspension-friction",
+                                          "contact-nonlinearity",
+                                          "contact-filter",
+                                          "sensor-gain",
+                                          "sensor-resonance",
+                                          "sensor-noise",
+                                          "timing-skew",
+                                          "parameter-error"};
     std::set<std::string> here;
     std::set<std::string> extra;
     std::set<std::string> places;
@@ -49,7 +74,8 @@ TEST(HiddenEffects, StandardStrengthsGiveValidCases) {
     };
     for (const HiddenEffect& effect : hidden_effects()) {
         auto c = tests::paper_case(1);
-        if (effect.id == "sleeper-flexibility") c.track.support = {.model = track::SupportModel::two_layer, .mass_kg = 150, .stiffness_n_per_m = 8e7};
+        if (effect.id == "sleeper-flexibility")
+            c.track.support = {.model = track::SupportModel::two_layer, .mass_kg = 150, .stiffness_n_per_m = 8e7};
         OnlyHereParameters extra;
         const Hidden hidden = parse_hidden(minimal(effect));
         apply_hidden(hidden, c, extra, scale);
@@ -57,7 +83,8 @@ TEST(HiddenEffects, StandardStrengthsGiveValidCases) {
         EXPECT_FALSE(hidden.forced);
         EXPECT_NE(hidden_json(hidden).find("\"effect\": \"" + effect.id + "\""), std::string::npos);
         for (const HiddenParameter& p : effect.parameters)
-            EXPECT_TRUE(p.is_text || p.standard == 0.0 || (p.standard >= p.low && p.standard <= p.high)) << effect.id << " " << p.name;
+            EXPECT_TRUE(p.is_text || p.standard == 0.0 || (p.standard >= p.low && p.standard <= p.high))
+                << effect.id << " " << p.name;
     }
 }
 
@@ -106,8 +133,10 @@ TEST(HiddenEffects, RefusesWhatOnlyTheCaseCanTell) {
     auto c = tests::paper_case(1);
     OnlyHereParameters extra;
     EXPECT_THROW(apply_hidden(parse_hidden("failed-fasteners"), c, extra), parameters::ParameterError);
-    EXPECT_THROW(apply_hidden(parse_hidden("suspension-friction:stage=tertiary"), c, extra), parameters::ParameterError);
-    EXPECT_THROW(apply_hidden(parse_hidden("parameter-error:parameter=track.spacing_m"), c, extra), parameters::ParameterError);
+    EXPECT_THROW(apply_hidden(parse_hidden("suspension-friction:stage=tertiary"), c, extra),
+                 parameters::ParameterError);
+    EXPECT_THROW(apply_hidden(parse_hidden("parameter-error:parameter=track.spacing_m"), c, extra),
+                 parameters::ParameterError);
 }
 
 }  // namespace

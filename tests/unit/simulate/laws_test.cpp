@@ -61,14 +61,18 @@ TEST(PadCurve, TangentFollowsTheLoad) {
     const PadCurve vibrating = dynamic_curve(c.track, {});
     EXPECT_NEAR(fixed.tangent(0.0), 19.1e6, 0.1e6);
     EXPECT_NEAR(vibrating.tangent(0.0), 1.4 * fixed.tangent(0.0), 1e-6 * fixed.tangent(0.0));
-    const auto polynomial = [&](double s) { return -451.8 + s * (5.021e6 + s * (3.368e9 + s * (1.228e11 + s * 4.01e13))); };
+    const auto polynomial = [&](double s) {
+        return -451.8 + s * (5.021e6 + s * (3.368e9 + s * (1.228e11 + s * 4.01e13)));
+    };
     double s0 = 1e-3;
     const double unloaded = 20e3 + 60.0 * 9.81 * 0.6;
     for (int i = 0; i < 60; ++i) s0 -= (polynomial(s0) - unloaded) / (polynomial(s0 + 1e-7) - polynomial(s0)) * 1e-7;
-    for (const double x : {-0.5e-3, 0.3e-3, 1.2e-3, 2.0e-3}) EXPECT_NEAR(fixed.force(x) / (polynomial(s0 + x) - unloaded), 1.0, 2e-5) << x;
+    for (const double x : {-0.5e-3, 0.3e-3, 1.2e-3, 2.0e-3})
+        EXPECT_NEAR(fixed.force(x) / (polynomial(s0 + x) - unloaded), 1.0, 2e-5) << x;
     for (const double force : {-5e3, 3e3, 15e3, 30e3}) {
         EXPECT_NEAR(fixed.force(fixed.compression(force)), force, 1e-6);
-        EXPECT_NEAR(vibrating.tangent(vibrating.compression(force)) / fixed.tangent(fixed.compression(force)), 1.4, 1e-4);
+        EXPECT_NEAR(vibrating.tangent(vibrating.compression(force)) / fixed.tangent(fixed.compression(force)), 1.4,
+                    1e-4);
     }
 }
 
@@ -96,7 +100,7 @@ TEST(PadCurve, RefusesACurveThatFalls) {
 
 TEST(ContactLaw, HertzAndItsTangent) {
     const ContactLaw law{.constant_m_per_n23 = worn_tread_constant(0.42), .static_load_n = 80e3, .nonlinearity = 1.0};
-    EXPECT_NEAR(law.constant_m_per_n23, 4.265e-8, 1e-11);   // Wei et al. 2016 with R = 0.42 m
+    EXPECT_NEAR(law.constant_m_per_n23, 4.265e-8, 1e-11);  // Wei et al. 2016 with R = 0.42 m
     EXPECT_NEAR(contact_stiffness(law), 1.515e9, 1e6);
     const double approach = static_approach(law);
     EXPECT_NEAR(contact_force(law, approach).force, 80e3, 1e-6);
@@ -159,7 +163,8 @@ TEST(VehicleModel, FrictionOpposesAndSlopesAreDerivatives) {
     const NonlinearElement sticking{.direction = {}, .force_n = 1000.0, .static_excess = 0.6};
     EXPECT_GT(force_of(sticking, 0.002).force, 1400.0);
     EXPECT_NEAR(force_of(sticking, 0.1).force, 1000.0, 1e-3);
-    const NonlinearElement stop{.direction = {}, .law = NonlinearElement::Law::bump_stop, .stiffness_n_per_m = 1e6, .gap_m = 0.01};
+    const NonlinearElement stop{
+        .direction = {}, .law = NonlinearElement::Law::bump_stop, .stiffness_n_per_m = 1e6, .gap_m = 0.01};
     EXPECT_EQ(force_of(stop, 0.009).force, 0.0);
     EXPECT_NEAR(force_of(stop, -0.012).force, -2000.0, 1e-9);
     for (const NonlinearElement& element : {friction, sticking, stop})

@@ -33,7 +33,8 @@ TEST(RadauStep, TransformAndBack) {
     const Complex value = step.transform(3.0, -7.0);
     EXPECT_NEAR(step.at_first(value), 3.0, 1e-12);
     EXPECT_NEAR(RadauStep::at_end(value), -7.0, 1e-12);
-    EXPECT_NEAR(RadauStep::at_end(step.derivative(step.transform(2.0 + 1.0 / 3.0, 3.0), 2.0)) * step.step_s, 1.0, 1e-12) << "u = 2 + t/h";
+    EXPECT_NEAR(RadauStep::at_end(step.derivative(step.transform(2.0 + 1.0 / 3.0, 3.0), 2.0)) * step.step_s, 1.0, 1e-12)
+        << "u = 2 + t/h";
 }
 
 TEST(RadauStep, ThirdOrder) {
@@ -59,11 +60,14 @@ TEST(BeamElement, CompliancesBetweenNodes) {
     const double l = 0.3;
     for (const double a : {0.02, 0.1, 0.15, 0.29}) {
         const double b = l - a;
-        EXPECT_NEAR(compliance_between_nodes(euler, l, a) * 3.0 * euler.bending_rigidity_n_m2 * l * l * l / (a * a * a * b * b * b), 1.0, 1e-12);
+        EXPECT_NEAR(compliance_between_nodes(euler, l, a) * 3.0 * euler.bending_rigidity_n_m2 * l * l * l /
+                        (a * a * a * b * b * b),
+                    1.0, 1e-12);
     }
     // Midspan of a clamped Timoshenko beam: P·l³/(192·EI) + P·l/(4·κGA).
     const Section shearing = rail(true);
-    const double expected = l * l * l / (192.0 * shearing.bending_rigidity_n_m2) + 0.25 * l * shearing.shear_flexibility_per_n;
+    const double expected =
+        l * l * l / (192.0 * shearing.bending_rigidity_n_m2) + 0.25 * l * shearing.shear_flexibility_per_n;
     EXPECT_NEAR(compliance_between_nodes(shearing, l, 0.5 * l) / expected, 1.0, 1e-12);
     EXPECT_EQ(compliance_between_nodes(shearing, l, 0.0), 0.0);
 }
@@ -80,7 +84,8 @@ TEST(BeamElement, NodesAreExactWhereverTheLoadStands) {
             Eigen::Matrix<double, 8, 1> load = Eigen::Matrix<double, 8, 1>::Zero();
             load.segment<4>(2 * e) = displacement_shape(s, l, a - e * l);
             const Eigen::VectorXd u = k.bottomRightCorner<6, 6>().ldlt().solve(load.tail<6>());
-            const double tip = a * a * (3.0 * 0.9 - a) / (6.0 * s.bending_rigidity_n_m2) + a * s.shear_flexibility_per_n;
+            const double tip =
+                a * a * (3.0 * 0.9 - a) / (6.0 * s.bending_rigidity_n_m2) + a * s.shear_flexibility_per_n;
             EXPECT_NEAR(u[4] / tip, 1.0, 1e-9) << shears << " " << a;
         }
     }
@@ -104,12 +109,15 @@ TEST_P(BlockTridiagonalOf, SolvesWhatADenseSolverSolves) {
     const int n = GetParam();
     BlockTridiagonal matrix;
     Eigen::MatrixXcd dense = Eigen::MatrixXcd::Zero(2 * n, 2 * n);
-    const auto number = [](std::uint64_t i) { return Complex(uniform_at(5, 2 * i) - 0.5, uniform_at(5, 2 * i + 1) - 0.5); };
+    const auto number = [](std::uint64_t i) {
+        return Complex(uniform_at(5, 2 * i) - 0.5, uniform_at(5, 2 * i + 1) - 0.5);
+    };
     for (int node = 0; node < n; ++node) {
         const auto k = static_cast<std::uint64_t>(node);
         const Complex off = number(10 * k);
         matrix.diagonal.push_back({number(10 * k + 1) + 4.0, off, off, number(10 * k + 2) + 4.0});
-        if (node + 1 < n) matrix.upper.push_back({number(10 * k + 3), number(10 * k + 4), number(10 * k + 5), number(10 * k + 6)});
+        if (node + 1 < n)
+            matrix.upper.push_back({number(10 * k + 3), number(10 * k + 4), number(10 * k + 5), number(10 * k + 6)});
     }
     std::vector<Pair> values;
     Eigen::VectorXcd right(2 * n);

@@ -37,7 +37,8 @@ TEST(Profile, VarianceIsTheIntegralOfTheSpectrum) {
         const double rms = profile_rms(draw_profile(c.irregularity, request), 0.0, 2000.0);
         measured += rms * rms / draws;
     }
-    // The longest waves carry the variance: about 20 lines near 0.01 cycles/m, so 1/√(20·40) = 3.5 % standard error; three.
+    // The longest waves carry the variance: about 20 lines near 0.01 cycles/m, so 1/√(20·40) = 3.5 % standard error;
+    // three.
     EXPECT_NEAR(measured / expected, 1.0, 0.11);
 }
 
@@ -50,7 +51,8 @@ TEST(Profile, SameSeedAndLengthAreTheSameLineAtAnySpeed) {
     fine.shortest_wavelength_m = 0.05;
     const Profile a = draw_profile(c.irregularity, coarse);
     const Profile b = draw_profile(c.irregularity, fine);
-    for (const double x : {0.3, 17.77, 133.4, 299.0}) EXPECT_NEAR(a.at(x), b.at(x), 2e-3 * 5e-5) << "2e-3 of the shortest waves";
+    for (const double x : {0.3, 17.77, 133.4, 299.0})
+        EXPECT_NEAR(a.at(x), b.at(x), 2e-3 * 5e-5) << "2e-3 of the shortest waves";
     ProfileRequest too_short = request_of(0.0, 600.0);
     too_short.length_m = 500.0;
     EXPECT_THROW(draw_profile(c.irregularity, too_short), parameters::ParameterError);
@@ -61,7 +63,11 @@ TEST(Profile, SameSeedAndLengthAreTheSameLineAtAnySpeed) {
 
 TEST(Profile, JointsAreRaisedCosines) {
     spectra::IrregularityParameters irregularity;
-    irregularity.bands = {{.family = spectra::Family::power_law, .shortest_wavelength_m = 0.1, .longest_wavelength_m = 1.0, .coefficient_m3 = 1e-30, .exponent = 3.0}};
+    irregularity.bands = {{.family = spectra::Family::power_law,
+                           .shortest_wavelength_m = 0.1,
+                           .longest_wavelength_m = 1.0,
+                           .coefficient_m3 = 1e-30,
+                           .exponent = 3.0}};
     irregularity.joints = {{.spacing_m = 25.0, .depth_m = 1e-3, .length_m = 0.8}};
     ProfileRequest request = request_of(0.0, 100.0);
     request.shortest_wavelength_m = 0.02;
@@ -97,30 +103,39 @@ TEST(Profile, PatchAveragesOverItsLength) {
 std::complex<double> response(const ChannelFilter& filter, double frequency_hz, double rate_hz) {
     std::complex<double> sum = 0.0;
     for (std::size_t i = 0; i < filter.taps.size(); ++i)
-        sum += filter.taps[i] * std::polar(1.0, 2.0 * pi * frequency_hz / rate_hz * (filter.before - static_cast<double>(i)));
+        sum += filter.taps[i] *
+               std::polar(1.0, 2.0 * pi * frequency_hz / rate_hz * (filter.before - static_cast<double>(i)));
     return sum;
 }
 
 TEST(SensorChain, FlatToTheEdgeAndNothingBeyondNyquist) {
     for (const int ratio : {2, 4, 5}) {
         const ChannelFilter filter = make_filter({.channel = "bogie_1"}, 1000.0, ratio);
-        for (const double f : {0.0, 30.0, 200.0, 445.0}) EXPECT_LT(std::abs(response(filter, f, 1000.0 * ratio) - 1.0), 2e-4) << f;
-        for (const double f : {500.0, 700.0, 990.0}) EXPECT_LT(std::abs(response(filter, f, 1000.0 * ratio)), 2e-4) << f;
+        for (const double f : {0.0, 30.0, 200.0, 445.0})
+            EXPECT_LT(std::abs(response(filter, f, 1000.0 * ratio) - 1.0), 2e-4) << f;
+        for (const double f : {500.0, 700.0, 990.0})
+            EXPECT_LT(std::abs(response(filter, f, 1000.0 * ratio)), 2e-4) << f;
     }
 }
 
 TEST(SensorChain, GainDelayAndResonance) {
-    const pem::SensorParameters sensor{.channel = "axlebox_1", .gain = -1.1, .resonance_frequency_hz = 150.0, .resonance_damping_ratio = 0.05, .delay_s = 0.01234};
+    const pem::SensorParameters sensor{.channel = "axlebox_1",
+                                       .gain = -1.1,
+                                       .resonance_frequency_hz = 150.0,
+                                       .resonance_damping_ratio = 0.05,
+                                       .delay_s = 0.01234};
     const ChannelFilter filter = make_filter(sensor, 1000.0, 5);
     for (const double f : {1.0, 60.0, 145.0, 300.0}) {
         const double ratio = f / 150.0;
-        const std::complex<double> expected = -1.1 * std::polar(1.0, -2.0 * pi * f * 0.01234) / std::complex<double>(1.0 - ratio * ratio, 0.1 * ratio);
+        const std::complex<double> expected =
+            -1.1 * std::polar(1.0, -2.0 * pi * f * 0.01234) / std::complex<double>(1.0 - ratio * ratio, 0.1 * ratio);
         EXPECT_LT(std::abs(response(filter, f, 5000.0) / expected - 1.0), 2e-3) << f;
     }
 }
 
 TEST(SensorChain, NoiseHasItsRmsAndSlope) {
-    const pem::SensorParameters sensor{.channel = "body_front", .noise_rms_m_per_s2 = 0.3, .noise_slope_db_per_octave = -3.0};
+    const pem::SensorParameters sensor{
+        .channel = "body_front", .noise_rms_m_per_s2 = 0.3, .noise_slope_db_per_octave = -3.0};
     const std::vector<double> noise = draw_noise(sensor, 1 << 17, 1000.0, 11);
     double power = 0.0;
     double difference = 0.0;
@@ -128,7 +143,8 @@ TEST(SensorChain, NoiseHasItsRmsAndSlope) {
         power += noise[i] * noise[i] / static_cast<double>(noise.size());
         difference += (noise[i] - noise[i - 1]) * (noise[i] - noise[i - 1]) / static_cast<double>(noise.size());
     }
-    // 1/f noise between 0.5 and 500 Hz: half the power lies in the lowest decade (about 600 lines), so 4 % standard error.
+    // 1/f noise between 0.5 and 500 Hz: half the power lies in the lowest decade (about 600 lines), so 4 % standard
+    // error.
     EXPECT_NEAR(power, 0.09, 0.09 * 0.12);
     // Differencing weighs by 4·sin²(πf/fs); for S ∝ 1/f: ∫(4·sin²)/f df/∫df/f = 0.4772 between 0.5 and 500 Hz.
     double weighed = 0.0;
@@ -202,22 +218,30 @@ TEST(Simulate, DelayedChannelLagsByItsDelay) {
         const auto& after = changed.channels[2].acceleration_m_per_s2;
         scale = std::max(scale, std::abs(before[i]));
         lag = std::max(lag, std::abs(after[i + 50] - before[i]));
-        inverted = std::max(inverted, std::abs(changed.channels[3].acceleration_m_per_s2[i] + plain.channels[3].acceleration_m_per_s2[i]));
+        inverted = std::max(inverted, std::abs(changed.channels[3].acceleration_m_per_s2[i] +
+                                               plain.channels[3].acceleration_m_per_s2[i]));
     }
-    // The two runs settle for different times before the record; what is left of that after 0.2 s is small, not nothing.
+    // The two runs settle for different times before the record; what is left of that after 0.2 s is small, not
+    // nothing.
     EXPECT_LT(lag, 0.02 * scale);
     EXPECT_LT(inverted, 0.02 * scale);
 }
 
 TEST(Recording, WritersGiveHeaderRowsAndDescription) {
-    Recording recording{.sampling_rate_hz = 500.0, .speed_m_per_s = 22.5, .payload_kg = 1200.0, .channels = {}, .making = {}};
-    recording.channels = {{.name = "axlebox_2", .location = "wheel", .index = 2, .acceleration_m_per_s2 = {1.5, -0.25}},
-                          {.name = "body_front", .location = "body", .position_m = 9.0, .acceleration_m_per_s2 = {0.125, 3e-7}}};
+    Recording recording{
+        .sampling_rate_hz = 500.0, .speed_m_per_s = 22.5, .payload_kg = 1200.0, .channels = {}, .making = {}};
+    recording.channels = {
+        {.name = "axlebox_2", .location = "wheel", .index = 2, .acceleration_m_per_s2 = {1.5, -0.25}},
+        {.name = "body_front", .location = "body", .position_m = 9.0, .acceleration_m_per_s2 = {0.125, 3e-7}}};
     std::ostringstream csv;
     write_csv(csv, recording);
     EXPECT_EQ(csv.str(), "time_s,axlebox_2,body_front\n0,1.5,0.125\n0.002,-0.25,3e-07\n");
     const std::string text = description(recording, "recording.csv");
-    for (const char* expected : {"sampling_rate_hz = 500\n", "speed_m_per_s = 22.5\n", "payload_kg = 1200\n", "data = \"recording.csv\"\n", "[[channel]]\nname = \"axlebox_2\"\ncolumn = \"axlebox_2\"\nquantity = \"acceleration\"\nunit = \"m/s^2\"\nlocation = \"wheel\"\nindex = 2\n", "location = \"body\"\nposition_m = 9\n"})
+    for (const char* expected :
+         {"sampling_rate_hz = 500\n", "speed_m_per_s = 22.5\n", "payload_kg = 1200\n", "data = \"recording.csv\"\n",
+          "[[channel]]\nname = \"axlebox_2\"\ncolumn = \"axlebox_2\"\nquantity = \"acceleration\"\nunit = "
+          "\"m/s^2\"\nlocation = \"wheel\"\nindex = 2\n",
+          "location = \"body\"\nposition_m = 9\n"})
         EXPECT_NE(text.find(expected), std::string::npos) << expected;
 }
 

@@ -1,4 +1,5 @@
-// Every effect, hidden at its standard strength in a moving record, must be felt where it sits and must leave the rest alive.
+// Every effect, hidden at its standard strength in a moving record, must be felt where it sits and must leave the rest
+// alive.
 #include <gtest/gtest.h>
 
 #include "simulate/hidden_effects.hpp"
@@ -14,7 +15,9 @@ struct Felt {
     double least_db;         ///< change of the level at least
 };
 
-std::ostream& operator<<(std::ostream& out, const Felt& felt) { return out << felt.text; }
+std::ostream& operator<<(std::ostream& out, const Felt& felt) {
+    return out << felt.text;
+}
 
 pem::CaseParameters believed() {
     auto c = paper_case(1);
@@ -24,12 +27,19 @@ pem::CaseParameters believed() {
 
 simulate::Recording record(const std::string& hide) {
     auto c = believed();
-    if (hide.starts_with("sleeper-flexibility")) c.track.support = {.model = track::SupportModel::two_layer, .mass_kg = 150, .stiffness_n_per_m = 8e7, .damping_n_s_per_m = 8e4};
+    if (hide.starts_with("sleeper-flexibility"))
+        c.track.support = {.model = track::SupportModel::two_layer,
+                           .mass_kg = 150,
+                           .stiffness_n_per_m = 8e7,
+                           .damping_n_s_per_m = 8e4};
     simulate::Options options;
     options.seconds = 4.0;
     options.settling_s = 1.5;
     if (!hide.ends_with("none"))
-        simulate::apply_hidden(simulate::parse_hidden(hide), c, options.only_here, [](pem::CaseParameters& p, const std::string&, double factor) { p.track.pads.static_stiffness_n_per_m *= factor; });
+        simulate::apply_hidden(simulate::parse_hidden(hide), c, options.only_here,
+                               [](pem::CaseParameters& p, const std::string&, double factor) {
+                                   p.track.pads.static_stiffness_n_per_m *= factor;
+                               });
     pem::check(c);
     return simulate::simulate(c, options);
 }
@@ -53,8 +63,10 @@ TEST_P(Hidden, IsFelt) {
     const simulate::Recording with = record(felt.text);
     for (const auto& channel : with.channels)
         for (const double a : channel.acceleration_m_per_s2) ASSERT_TRUE(std::isfinite(a));
-    const double change = level_db(with, felt) - level_db(felt.text.starts_with("sleeper-flexibility") ? plain_on_sleepers : plain, felt);
-    if (std::getenv("RAILPEM_PRINT") != nullptr) std::printf("%-60s %.2f dB, %.1f solves per step\n", felt.text.c_str(), change, with.making.solves_per_step);
+    const double change =
+        level_db(with, felt) - level_db(felt.text.starts_with("sleeper-flexibility") ? plain_on_sleepers : plain, felt);
+    if (std::getenv("RAILPEM_PRINT") != nullptr)
+        std::printf("%-60s %.2f dB, %.1f solves per step\n", felt.text.c_str(), change, with.making.solves_per_step);
     EXPECT_GT(std::abs(change), felt.least_db) << change;
     EXPECT_LT(with.making.solves_per_step, 12.0);
 }
@@ -73,7 +85,8 @@ const std::vector<Felt> felt{
     {"failed-fasteners:every=5", axlebox_1, v / 3.0 - 0.4, v / 3.0 + 0.4, 3.0},
     {"failed-fasteners:fraction=0.3,seed=3", axlebox_1, 5, 40, 0.3},
     {"sleeper-passing:amplitude_factor=19", axlebox_1, v / 0.6 - 0.4, v / 0.6 + 0.4, 3.0},
-    {"wheel-out-of-roundness:wheel=2,order=6,amplitude_m=2e-4", axlebox_2, 6 * v / (2 * std::numbers::pi * 0.42) - 0.4, 6 * v / (2 * std::numbers::pi * 0.42) + 0.4, 6.0},
+    {"wheel-out-of-roundness:wheel=2,order=6,amplitude_m=2e-4", axlebox_2, 6 * v / (2 * std::numbers::pi * 0.42) - 0.4,
+     6 * v / (2 * std::numbers::pi * 0.42) + 0.4, 6.0},
     {"rail-corrugation", axlebox_1, 65, 83, 2.0},
     {"rail-joints:depth_m=2e-3", axlebox_1, 10, 40, 1.0},
     {"irregularity-spectrum:level_db=4", body_centre, 2, 20, 3.9},
