@@ -67,6 +67,16 @@ inline Complex sqrt(const Complex& a) {
     return result;
 }
 
+/// size·e^{i·angle}, lane by lane.
+inline Complex polar(Real size, Real angle) {
+    Real re = size, im = size;
+    for (int lane = 0; lane < width; ++lane) {
+        re[lane] *= std::cos(angle[lane]);
+        im[lane] *= std::sin(angle[lane]);
+    }
+    return {re, im};
+}
+
 /// A 2×2 block per lane.
 struct Matrix2 {
     Complex a, b, c, d;  ///< [a b; c d]

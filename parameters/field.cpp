@@ -20,11 +20,13 @@ std::string Range::text() const {
     std::string words;
     if (has_low) words = fmt::format("{} {:g}", low_open ? "greater than" : "at least", low);
     if (has_high) words += fmt::format("{}{} {:g}", words.empty() ? "" : " and ", high_open ? "less than" : "at most", high);
-    return words.empty() ? "any number" : words;
+    if (words.empty()) words = "any number";
+    return has_high || high_open ? words : words + ", or inf";
 }
 
-Range positive() { return {.low = 0.0, .low_open = true}; }
-Range not_negative() { return {.low = 0.0}; }
+Range positive() { return {.low = 0.0, .low_open = true, .high_open = true}; }
+Range not_negative() { return {.low = 0.0, .high_open = true}; }
+Range positive_or_infinite() { return {.low = 0.0, .low_open = true}; }
 Range between(double low, double high) { return {.low = low, .high = high}; }
 Range any_number() {
     const double infinity = std::numeric_limits<double>::infinity();

@@ -29,6 +29,7 @@ struct Range {
 
 Range positive();                         ///< (0, ∞)
 Range not_negative();                     ///< [0, ∞)
+Range positive_or_infinite();              ///< (0, ∞]
 Range between(double low, double high);   ///< [low, high]
 Range any_number();                       ///< every finite number
 

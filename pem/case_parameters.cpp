@@ -96,6 +96,21 @@ void check_modal_length(const CaseParameters& parameters) {
                              "more pads, or a shorter vehicle");
 }
 
+/// Every band of wavelengths must turn into frequencies of the grid at this speed: one that does not was meant otherwise.
+void check_bands_excite(const CaseParameters& parameters, double speed) {
+    const FrequencyParameters& grid = parameters.frequency;
+    for (std::size_t i = 0; i < parameters.irregularity.bands.size(); ++i) {
+        const spectra::IrregularityBand& band = parameters.irregularity.bands[i];
+        const double lowest = speed / band.longest_wavelength_m;
+        const double highest = speed / band.shortest_wavelength_m;
+        if (highest >= grid.from_hz && lowest <= grid.to_hz) continue;
+        throw ParameterError(spectra::element_key("band", i) + ".shortest_wavelength_m",
+                             fmt::format("at {:g} m/s wavelengths of {:g} to {:g} m excite {:g} to {:g} Hz, none of it between {:g} and {:g} Hz", speed,
+                                         band.shortest_wavelength_m, band.longest_wavelength_m, lowest, highest, grid.from_hz, grid.to_hz),
+                             "a band of wavelengths that the speed turns into frequencies of the grid");
+    }
+}
+
 }  // namespace
 
 void check(const CaseParameters& parameters) {
@@ -113,18 +128,7 @@ void check(const CaseParameters& parameters) {
         throw ParameterError("frequency.step_hz", "more than two million frequency lines", "a larger step");
     if (parameters.running.speeds_m_per_s.empty())
         throw ParameterError("running.speeds_m_per_s", "no speed", "at least one speed");
-    for (const double speed : parameters.running.speeds_m_per_s) {
-        const auto excites = [&](const spectra::IrregularityBand& band) {
-            return speed / band.shortest_wavelength_m >= grid.from_hz && speed / band.longest_wavelength_m <= grid.to_hz;
-        };
-        for (const spectra::IrregularityBand& band : parameters.irregularity.bands)
-            if (!excites(band))
-                throw ParameterError("irregularity.band.shortest_wavelength_m",
-                                     fmt::format("at {:g} m/s wavelengths of {:g} to {:g} m excite {:g} to {:g} Hz, none of it between {:g} and {:g} Hz", speed,
-                                                 band.shortest_wavelength_m, band.longest_wavelength_m, speed / band.longest_wavelength_m,
-                                                 speed / band.shortest_wavelength_m, grid.from_hz, grid.to_hz),
-                                     "a band of wavelengths that the speed turns into frequencies of the grid");
-    }
+    for (const double speed : parameters.running.speeds_m_per_s) check_bands_excite(parameters, speed);
     check_modal_length(parameters);
 }
 

@@ -21,18 +21,18 @@ Source delayed_source(std::string name, std::vector<double> wheels_m, double spe
         WheelVector e;
         for (int lane = 0; lane < lanes::width; ++lane) {
             const double root = std::sqrt(spectrum(group.omega[lane] / kTwoPi));
-            for (std::size_t j = 0; j < e.size(); ++j) e[j].set(lane, std::polar(root, -group.omega[lane] * (wheels[0] - wheels[j]) / speed));
+            for (std::size_t j = 0; j < e.size(); ++j) e[j].set(lane, root * delay_phase(wheels, j, group.omega[lane] / kTwoPi, speed));
         }
         return e;
     };
     return {std::move(name), amplitude};
 }
 
-Source irregularity_source(const CaseParameters& parameters, const std::vector<double>& wheels_m, double speed) {
-    return delayed_source("irregularity", wheels_m, speed, [irregularity = parameters.irregularity, patch = parameters.contact.patch_half_length_m, speed](double f) {
-        const double filter = contact_filter(patch, kTwoPi * f / speed);
-        return filter * filter * spectra::irregularity_psd_m2_per_hz(irregularity, f, speed);
-    });
+DelayedSpectrum irregularity_spectrum(const CaseParameters& parameters, double speed) {
+    return {"irregularity", [irregularity = parameters.irregularity, patch = parameters.contact.patch_half_length_m, speed](double f) {
+                const double filter = contact_filter(patch, kTwoPi * f / speed);
+                return filter * filter * spectra::irregularity_psd_m2_per_hz(irregularity, f, speed);
+            }};
 }
 
 /// Lines of dips at a regular distance, up to the end of the frequency grid.
@@ -48,7 +48,7 @@ std::vector<SpectralLine> joint_lines(const CaseParameters& parameters, const sp
     return lines;
 }
 
-void add_wheel_sources(const CaseParameters& parameters, double speed, std::vector<Source>& sources) {
+void add_wheel_lines(const CaseParameters& parameters, double speed, std::vector<LineSet>& sets) {
     for (int wheel = 1; wheel <= 4; ++wheel) {
         std::vector<SpectralLine> lines;
         for (const WheelOutOfRoundness& defect : parameters.wheel_out_of_roundness) {
@@ -58,7 +58,7 @@ void add_wheel_sources(const CaseParameters& parameters, double speed, std::vect
             line.amplitude_m[static_cast<std::size_t>(wheel - 1)] = defect.amplitude_m * contact_filter(parameters.contact.patch_half_length_m, wavenumber);
             lines.push_back(line);
         }
-        if (!lines.empty()) sources.push_back(line_source("wheel_" + std::to_string(wheel), lines, parameters.running.speed_fluctuation));
+        if (!lines.empty()) sets.push_back({"wheel_" + std::to_string(wheel), std::move(lines)});
     }
 }
 
@@ -94,16 +94,27 @@ Source line_source(std::string name, std::vector<SpectralLine> lines, double spe
     return {std::move(name), amplitude};
 }
 
-std::vector<Source> excitation_sources(const CaseParameters& parameters, const std::vector<double>& wheels_m, double speed_m_per_s) {
-    const double fluctuation = parameters.running.speed_fluctuation;
-    std::vector<Source> sources{irregularity_source(parameters, wheels_m, speed_m_per_s)};
+std::complex<double> delay_phase(const std::vector<double>& wheels_m, std::size_t wheel, double frequency_hz, double speed_m_per_s) {
+    return std::polar(1.0, -kTwoPi * frequency_hz * (wheels_m[0] - wheels_m[wheel]) / speed_m_per_s);
+}
+
+Excitation excitation(const CaseParameters& parameters, const std::vector<double>& wheels_m, double speed_m_per_s) {
+    Excitation all;
+    all.broadband.push_back(irregularity_spectrum(parameters, speed_m_per_s));
+    if (const auto spectrum = failed_fastener_spectrum(parameters, wheels_m, speed_m_per_s)) all.broadband.push_back({"failed_fasteners", spectrum});
     for (const spectra::RailJoints& joints : parameters.irregularity.joints)
-        sources.push_back(line_source("joints", joint_lines(parameters, joints, wheels_m, speed_m_per_s), fluctuation));
-    add_wheel_sources(parameters, speed_m_per_s, sources);
+        all.lines.push_back({"joints", joint_lines(parameters, joints, wheels_m, speed_m_per_s)});
+    add_wheel_lines(parameters, speed_m_per_s, all.lines);
     if (std::vector<SpectralLine> lines = passing_lines(parameters, wheels_m, speed_m_per_s); !lines.empty())
-        sources.push_back(line_source("sleeper_passing", std::move(lines), fluctuation));
-    if (const auto spectrum = failed_fastener_spectrum(parameters, wheels_m, speed_m_per_s))
-        sources.push_back(delayed_source("failed_fasteners", wheels_m, speed_m_per_s, spectrum));
+        all.lines.push_back({"sleeper_passing", std::move(lines)});
+    return all;
+}
+
+std::vector<Source> excitation_sources(const CaseParameters& parameters, const std::vector<double>& wheels_m, double speed_m_per_s) {
+    Excitation all = excitation(parameters, wheels_m, speed_m_per_s);
+    std::vector<Source> sources;
+    for (DelayedSpectrum& spectrum : all.broadband) sources.push_back(delayed_source(spectrum.name, wheels_m, speed_m_per_s, std::move(spectrum.psd_m2_per_hz)));
+    for (LineSet& set : all.lines) sources.push_back(line_source(set.name, std::move(set.lines), parameters.running.speed_fluctuation));
     return sources;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <complex>
 #include <functional>
 #include <string>
 #include <vector>
@@ -28,17 +30,39 @@ struct SpectralLine {
     std::array<std::complex<double>, 4> amplitude_m{};  ///< peak amplitude under each wheel
 };
 
-/// A source made of lines. Each is a Gaussian of standard deviation f·speed_fluctuation whose PSD in a bin is its exact mean
-/// over the bin, so that Σ PSD·step over the table is amplitude²/2 whatever the grid (spectra/line_power.hpp). The phases
-/// between the wheels are those of the line: a speed that fluctuates moves the frequency, not the wavelength. Where lines
+/// A broadband source that the wheels meet one after the other.
+struct DelayedSpectrum {
+    std::string name;
+    std::function<double(double frequency_hz)> psd_m2_per_hz;
+};
+
+/// A source made of lines, coherent among the wheels.
+struct LineSet {
+    std::string name;
+    std::vector<SpectralLine> lines;
+};
+
+/// Everything that excites a case at speed v, independent of each other:
+/// - "irregularity": broadband spectrum with corrugation, smoothed by the contact patch; - "failed_fasteners": random ones;
+/// - "joints": lines at n·v/spacing; - "wheel_n": out-of-roundness, lines at order·v/(2πR), that wheel only;
+/// - "sleeper_passing": see passing_lines.hpp.
+struct Excitation {
+    std::vector<DelayedSpectrum> broadband;
+    std::vector<LineSet> lines;
+};
+Excitation excitation(const CaseParameters& parameters, const std::vector<double>& wheels_m, double speed_m_per_s);
+
+/// Phase e^{−iω·d_j/v} with which wheel j meets what wheel 1 meets, d_j = x_1 − x_j.
+std::complex<double> delay_phase(const std::vector<double>& wheels_m, std::size_t wheel, double frequency_hz, double speed_m_per_s);
+
+/// A line set as a source on a frequency grid. Each line is a Gaussian of standard deviation f·speed_fluctuation whose PSD in a bin
+/// is its exact mean over the bin, so that Σ PSD·step over the table is amplitude²/2 whatever the grid (spectra/line_power.hpp). The
+/// phases between the wheels are those of the line: a speed that fluctuates moves the frequency, not the wavelength. Where lines
 /// overlap their powers add and the strongest gives the phases.
 Source line_source(std::string name, std::vector<SpectralLine> lines, double speed_fluctuation);
 
-/// All sources of a case at speed v:
-/// - "irregularity": broadband spectrum with corrugation, met by wheel j with the delay d_j/v behind wheel 1,
-///   e_j = exp(−iω·d_j/v)·√S(f) (Lin's pseudo-excitation; Wei et al. 2016, section 4.1), smoothed by the contact patch;
-/// - "joints": lines at n·v/spacing, the same delays; - "wheel_n": out-of-roundness, lines at order·v/(2πR), that wheel only;
-/// - "sleeper_passing": see passing_lines.hpp; - "failed_fasteners": random ones, broadband.
+/// The excitation as sources on a frequency grid: e_j = exp(−iω·d_j/v)·√S(f) for the broadband ones (Lin's pseudo-excitation; Wei et
+/// al. 2016, section 4.1).
 std::vector<Source> excitation_sources(const CaseParameters& parameters, const std::vector<double>& wheels_m, double speed_m_per_s);
 
 }  // namespace railpem::pem

@@ -46,24 +46,33 @@ Fields<RailJoints> rail_joint_fields() {
     };
 }
 
+namespace {
+
+/// `key`: of the band, as in the file: "irregularity.band[2]".
+void check_band(const IrregularityBand& band, const std::string& key) {
+    if (band.shortest_wavelength_m >= band.longest_wavelength_m)
+        throw ParameterError(key + ".shortest_wavelength_m", "the band of wavelengths is empty", "less than longest_wavelength_m");
+    if (band.family == Family::power_law && band.coefficient_m3 <= 0.0)
+        throw ParameterError(key + ".coefficient_m3", "a power law without a coefficient", "greater than 0");
+    if (band.family != Family::table) return;
+    if (band.table_cycles_per_m.size() < 2 || band.table_cycles_per_m.size() != band.table_psd_m3.size())
+        throw ParameterError(key + ".table_psd_m3", "the table has no two rows, or its columns differ in length", "two lists of the same length");
+    for (std::size_t i = 1; i < band.table_cycles_per_m.size(); ++i)
+        if (!(band.table_cycles_per_m[i] > band.table_cycles_per_m[i - 1]))
+            throw ParameterError(key + ".table_cycles_per_m", "the values do not increase", "strictly increasing values");
+}
+
+}  // namespace
+
+std::string element_key(const std::string& list, std::size_t index) { return "irregularity." + list + "[" + std::to_string(index + 1) + "]"; }
+
 void check(const IrregularityParameters& irregularity) {
     if (irregularity.bands.empty())
         throw ParameterError("irregularity.band", "no irregularity: nothing would move", "at least one [[irregularity.band]]");
-    for (const IrregularityBand& band : irregularity.bands) {
-        if (band.shortest_wavelength_m >= band.longest_wavelength_m)
-            throw ParameterError("irregularity.band.shortest_wavelength_m", "the band of wavelengths is empty", "less than longest_wavelength_m");
-        if (band.family == Family::power_law && band.coefficient_m3 <= 0.0)
-            throw ParameterError("irregularity.band.coefficient_m3", "a power law without a coefficient", "greater than 0");
-        if (band.family != Family::table) continue;
-        if (band.table_cycles_per_m.size() < 2 || band.table_cycles_per_m.size() != band.table_psd_m3.size())
-            throw ParameterError("irregularity.band.table_psd_m3", "the table has no two rows, or its columns differ in length", "two lists of the same length");
-        for (std::size_t i = 1; i < band.table_cycles_per_m.size(); ++i)
-            if (!(band.table_cycles_per_m[i] > band.table_cycles_per_m[i - 1]))
-                throw ParameterError("irregularity.band.table_cycles_per_m", "the values do not increase", "strictly increasing values");
-    }
-    for (const RailJoints& joints : irregularity.joints)
-        if (joints.length_m >= joints.spacing_m)
-            throw ParameterError("irregularity.joints.length_m", "the dips touch each other", "less than spacing_m");
+    for (std::size_t i = 0; i < irregularity.bands.size(); ++i) check_band(irregularity.bands[i], element_key("band", i));
+    for (std::size_t i = 0; i < irregularity.joints.size(); ++i)
+        if (irregularity.joints[i].length_m >= irregularity.joints[i].spacing_m)
+            throw ParameterError(element_key("joints", i) + ".length_m", "the dips touch each other", "less than spacing_m");
 }
 
 }  // namespace railpem::spectra

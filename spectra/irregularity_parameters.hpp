@@ -1,6 +1,7 @@
 #pragma once
 // The vertical irregularity of the running surface as data. Spectra are one-sided in cycles/m, S(n) in m²/(cycle/m) = m³.
 
+#include <string>
 #include <vector>
 
 #include "parameters/field.hpp"
@@ -51,6 +52,9 @@ parameters::Fields<IrregularityParameters> irregularity_fields();
 parameters::Fields<IrregularityBand> irregularity_band_fields();
 parameters::Fields<Corrugation> corrugation_fields();
 parameters::Fields<RailJoints> rail_joint_fields();
+
+/// The key of an element of a list as errors name it, counted from 1: "irregularity.band[2]" for ("band", 1).
+std::string element_key(const std::string& list, std::size_t index);
 
 /// Rules between parameters. Throws parameters::ParameterError (keys "irregularity.…").
 void check(const IrregularityParameters& irregularity);

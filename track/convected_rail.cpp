@@ -70,9 +70,7 @@ std::vector<std::complex<double>> convected_change(const ExactRail& rail, double
         const Complex resting = receptance_density(rail, pad_stiffness_n_per_m, lanes::broadcast(omega), k);
         const Complex difference = moving - resting;
         for (std::size_t i = 0; i < sums.size(); ++i) {
-            Complex phase(0.0);
-            for (int lane = 0; lane < lanes::width; ++lane) phase.set(lane, std::polar(1.0, k[lane] * separations_m[i]));
-            sums[i] += difference * phase;
+            sums[i] += difference * lanes::polar(lanes::broadcast(1.0), k * separations_m[i]);
         }
     }
     for (std::size_t i = 0; i < sums.size(); ++i)

@@ -36,7 +36,7 @@ Fields<SuspensionParameters> suspension_fields() {
     return {
         number(&S::stiffness_n_per_m, "stiffness_n_per_m", "N/m", not_negative(), "spring of one element, per rail side").required().tolerance(0.10),
         number(&S::damping_n_s_per_m, "damping_n_s_per_m", "N s/m", not_negative(), "damper of one element, per rail side").required().tolerance(0.15),
-        number(&S::damper_series_stiffness_n_per_m, "damper_series_stiffness_n_per_m", "N/m", positive(), "spring in series with the damper; inf: mounted rigidly").source("Bruni et al. 2011, Vehicle System Dynamics 49(7)"),
+        number(&S::damper_series_stiffness_n_per_m, "damper_series_stiffness_n_per_m", "N/m", positive_or_infinite(), "spring in series with the damper; inf: mounted rigidly").source("Bruni et al. 2011, Vehicle System Dynamics 49(7)"),
         number(&S::friction_force_n, "friction_force_n", "N", not_negative(), "dry friction of one element, per rail side").source("statistical linearisation, Roberts & Spanos 1990"),
     };
 }

@@ -96,6 +96,20 @@ TEST(VerticalComfort, NarrowBandHasTwoDegreesOfFreedom) {
     EXPECT_DOUBLE_EQ(comfort->mean_comfort, 6.0 * comfort->percentile_95_m_per_s2);
 }
 
+TEST(VerticalComfort, FlatBandHasTwiceBandwidthTimesDuration) {
+    // Weighted flat over B = 100 Hz: ν = 2BT = 1000 for T = 5 s.
+    std::vector<double> frequency, psd;
+    for (int i = 0; i <= 2000; ++i) {
+        frequency.push_back(0.4 + 0.05 * i);
+        psd.push_back(1.0 / std::pow(weighting_wb(frequency.back()), 2));
+    }
+    const auto comfort = vertical_comfort_en12299(frequency, psd);
+    EXPECT_NEAR(comfort->weighted_rms_m_per_s2, 10.0, 1e-10);
+    // Where the band ends one side of the kernel is missing: with N = 1000 bins of 0.1 Hz, 2N²/(N + 2·Σ (N − k)(2/πk)²)
+    // over odd k < N is 1001.863 (summed with Python). 1e-6: its digits.
+    EXPECT_NEAR(comfort->degrees_of_freedom / 1001.863, 1.0, 1e-6);
+}
+
 TEST(VerticalComfort, StillnessIsComfortable) {
     const std::vector<double> frequency = {0.4, 100.0}, psd = {0.0, 0.0};
     EXPECT_EQ(vertical_comfort_en12299(frequency, psd)->mean_comfort, 0.0);

@@ -1,0 +1,116 @@
+#include "app/output_folder.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <system_error>
+
+#include "app/input_error.hpp"
+
+namespace railpem::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+[[noreturn]] void refuse_folder(const fs::path& folder, const std::string& reason) {
+    throw InputError(fmt::format("--out {}: cannot be written: {}\nallowed: a folder that can be written, or a new one",
+                                 folder.string(), reason));
+}
+
+[[noreturn]] void fail_file(const fs::path& file, const std::string& reason, const std::string& consequence) {
+    throw OutputError(fmt::format("cannot write {}: {}{}", file.string(), reason, consequence));
+}
+
+constexpr const char* kNothingKept = "\nnothing of this run was kept";
+
+/// Writes and flushes to the disk, so that a full disk is found here and not after the run has said that all is well.
+/// Returns 0, or the error number.
+int write_file(const fs::path& file, const std::string& content) {
+    const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (descriptor < 0) return errno;
+    int failure = 0;
+    for (std::size_t written = 0; written < content.size() && failure == 0;) {
+        const ssize_t count = ::write(descriptor, content.data() + written, content.size() - written);
+        if (count >= 0)
+            written += static_cast<std::size_t>(count);
+        else if (errno != EINTR)
+            failure = errno;
+    }
+    if (failure == 0 && ::fsync(descriptor) != 0 && errno != EINVAL) failure = errno;  // EINVAL: no disk behind it
+    if (::close(descriptor) != 0 && failure == 0) failure = errno;
+    return failure;
+}
+
+}  // namespace
+
+OutputFolder::OutputFolder(const fs::path& folder) : folder_(folder.empty() ? fs::path(".") : folder) {
+    make_folders();
+    const fs::path probe = folder_ / fmt::format(".railpem-{}.partial", ::getpid());
+    const int failure = write_file(probe, "");
+    if (failure != 0) {
+        remove_folders();
+        refuse_folder(folder_, std::strerror(failure));
+    }
+    std::error_code ignored;
+    fs::remove(probe, ignored);
+}
+
+OutputFolder::~OutputFolder() {
+    remove_all();
+}
+
+void OutputFolder::make_folders() {
+    std::vector<fs::path> missing;
+    std::error_code status;
+    for (fs::path level = folder_; !level.empty() && !fs::exists(level, status); level = level.parent_path()) {
+        missing.push_back(level);
+        if (level == level.parent_path()) break;
+    }
+    for (auto level = missing.rbegin(); level != missing.rend(); ++level) {
+        std::error_code failure;
+        if (fs::create_directory(*level, failure)) made_.push_back(*level);
+        if (failure) {
+            remove_folders();
+            refuse_folder(folder_, failure.message());
+        }
+    }
+    if (!fs::is_directory(folder_, status)) refuse_folder(folder_, std::strerror(ENOTDIR));
+}
+
+void OutputFolder::write(const std::string& name, const std::string& content) {
+    const File file{folder_ / fmt::format(".{}.{}.partial", name, ::getpid()), folder_ / name};
+    files_.push_back(file);
+    const int failure = write_file(file.temporary, content);
+    if (failure != 0) fail_file(file.final_name, std::strerror(failure), kNothingKept);
+}
+
+void OutputFolder::commit() {
+    std::error_code failure;
+    for (const File& file : files_)
+        if (fs::is_directory(file.final_name, failure))
+            fail_file(file.final_name, "a folder of that name is in the way", kNothingKept);
+    for (const File& file : files_) {
+        fs::rename(file.temporary, file.final_name, failure);
+        if (failure) fail_file(file.final_name, failure.message(), "");
+    }
+    files_.clear();
+    made_.clear();
+}
+
+void OutputFolder::remove_folders() noexcept {
+    std::error_code ignored;
+    for (auto made = made_.rbegin(); made != made_.rend(); ++made) fs::remove(*made, ignored);  // only when empty
+    made_.clear();
+}
+
+void OutputFolder::remove_all() noexcept {
+    std::error_code ignored;
+    for (const File& file : files_) fs::remove(file.temporary, ignored);
+    remove_folders();
+}
+
+}  // namespace railpem::app

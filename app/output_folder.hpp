@@ -1,0 +1,49 @@
+#pragma once
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace railpem::app {
+
+/// A result could not be written (a full disk, a lost mount): exit status 1.
+class OutputError : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+/// A folder that receives all files of a run or none. Files are written beside their final names and renamed together
+/// by commit(); without it the destructor removes what was written, and the folders that were made for it.
+class OutputFolder {
+  public:
+    /// Makes the folder where it does not exist and makes sure that files can be made in it.
+    /// Throws InputError when that is not possible.
+    explicit OutputFolder(const std::filesystem::path& folder);
+    OutputFolder(const OutputFolder&) = delete;
+    OutputFolder& operator=(const OutputFolder&) = delete;
+    ~OutputFolder();
+
+    /// Writes a file under a temporary name. Throws OutputError when not all of it reaches the disk.
+    void write(const std::string& name, const std::string& content);
+
+    /// Gives every file written its name. Throws OutputError.
+    void commit();
+
+    const std::filesystem::path& path() const { return folder_; }
+
+  private:
+    struct File {
+        std::filesystem::path temporary;
+        std::filesystem::path final_name;
+    };
+    void make_folders();
+    void remove_folders() noexcept;
+    void remove_all() noexcept;
+
+    std::filesystem::path folder_;
+    std::vector<std::filesystem::path> made_;  ///< folders made here, outermost first
+    std::vector<File> files_;
+};
+
+}  // namespace railpem::app

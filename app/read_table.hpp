@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+
+#include "app/document.hpp"
+#include "app/schema.hpp"
+#include "parameters/parameter_error.hpp"
+
+namespace railpem::app {
+
+/// Fills `owner` (the struct the schema was built for, with its defaults) from the tree of a file. Every key must be
+/// known, of the right kind and in its range, every required key present. Throws InputError.
+void read_table(const Document& document, const TableSchema& schema, void* owner);
+
+/// The message for a broken rule of physics: at the value it names, else at the innermost table around it.
+InputError refused(const Document& document, const parameters::ParameterError& error);
+
+/// A dotted key within a table ("" for the top of the file), and the table as messages call it: "[vehicle]".
+std::string inner_key(const std::string& path, const std::string& name);
+std::string table_text(const std::string& path);
+
+/// What is wrong with a key or table that `table` (at `path`) does not know.
+Problem unknown_key(const Entry& entry, const TableSchema& table, const std::string& path, const TableSchema& root);
+
+}  // namespace railpem::app

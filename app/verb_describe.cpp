@@ -1,0 +1,44 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <map>
+#include <memory>
+
+#include "app/case_schema.hpp"
+#include "app/input_error.hpp"
+#include "app/nearest_key.hpp"
+#include "app/sweep_schema.hpp"
+#include "app/verbs.hpp"
+
+namespace railpem::app {
+
+namespace {
+
+const std::map<std::string, std::string (*)()>& pages() {
+    static const std::map<std::string, std::string (*)()> all = {{"case", describe_case}, {"sweep", describe_sweep}};
+    return all;
+}
+
+int describe(const std::string& subject) {
+    const auto page = pages().find(subject);
+    if (page == pages().end()) {
+        std::vector<std::string> names;
+        for (const auto& [name, unused] : pages()) names.push_back(name);
+        const std::string near = nearest_key(subject, names);
+        throw InputError(fmt::format("railpem describe: no page about '{}'\nallowed: {}{}", subject, joined(names),
+                                     near.empty() ? "" : fmt::format("\ndid you mean '{}'?", near)));
+    }
+    std::fputs(page->second().c_str(), stdout);
+    return 0;
+}
+
+}  // namespace
+
+void add_describe(CLI::App& program, Run& run) {
+    const auto subject = std::make_shared<std::string>();
+    CLI::App* verb = program.add_subcommand("describe", "print the reference page of an input file");
+    verb->add_option("SUBJECT", *subject, "case or sweep")->required();
+    verb->callback([subject, &run] { run = [subject] { return describe(*subject); }; });
+}
+
+}  // namespace railpem::app

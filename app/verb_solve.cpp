@@ -1,0 +1,89 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <map>
+#include <memory>
+
+#include "app/case_schema.hpp"
+#include "app/output_folder.hpp"
+#include "app/progress_bar.hpp"
+#include "app/read_table.hpp"
+#include "app/response_summary.hpp"
+#include "app/response_tables.hpp"
+#include "app/verbs.hpp"
+
+namespace railpem::app {
+
+namespace {
+
+struct SolveRequest {
+    std::vector<std::string> cases;
+    std::vector<std::string> options;
+    std::string folder;
+    int threads = 0;
+    bool bands = false;
+};
+
+/// All cases, before anything is computed or written. Outputs are called after the files, so the names must differ.
+std::vector<CaseFile> read_cases(const SolveRequest& request) {
+    std::vector<CaseFile> cases;
+    std::map<std::string, std::string> taken;
+    for (const std::string& path : request.cases) {
+        cases.push_back(read_case(path, request.options));
+        const auto [earlier, is_new] = taken.emplace(cases.back().name, path);
+        if (!is_new)
+            throw InputError(fmt::format(
+                "{}: its results would be called {}.psd.csv, like those of {}\nallowed: case files of different names",
+                path, cases.back().name, earlier->second));
+    }
+    return cases;
+}
+
+std::vector<ResponseSpectra> solve_speeds(const CaseFile& file, int threads) {
+    const std::vector<double>& speeds = file.parameters.running.speeds_m_per_s;
+    ProgressBar bar(file.name);
+    std::vector<ResponseSpectra> spectra;
+    for (std::size_t i = 0; i < speeds.size(); ++i) {
+        const auto progress = [&](std::size_t done, std::size_t all) { bar.show(i * all + done, speeds.size() * all); };
+        try {
+            spectra.push_back(response_spectra(
+                pem::solve_case(file.parameters, speeds[i], {.threads = threads, .progress = progress})));
+        } catch (const parameters::ParameterError& error) {
+            throw refused(file.document, error);
+        }
+    }
+    return spectra;
+}
+
+int solve(const SolveRequest& request) {
+    const std::vector<CaseFile> cases = read_cases(request);
+    OutputFolder folder(request.folder);
+    for (const CaseFile& file : cases) {
+        const std::vector<ResponseSpectra> speeds = solve_speeds(file, request.threads);
+        folder.write(file.name + ".psd.csv", csv_text(psd_table(speeds)));
+        folder.write(file.name + ".summary.json", summary_text(file.name, file.parameters, speeds));
+        if (request.bands) folder.write(file.name + ".bands.csv", csv_text(bands_table(speeds)));
+    }
+    folder.commit();
+    return 0;
+}
+
+}  // namespace
+
+void add_solve(CLI::App& program, Run& run) {
+    const auto request = std::make_shared<SolveRequest>();
+    CLI::App* verb =
+        program.add_subcommand("solve", "spectra of every response: DIR/<case>.psd.csv and DIR/<case>.summary.json");
+    verb->add_option("CASE", request->cases, "case files")->required();
+    verb->add_option("--out", request->folder, "folder for the results")->required()->type_name("DIR");
+    verb->add_flag("--bands", request->bands, "also DIR/<case>.bands.csv: third-octave levels");
+    verb->add_option("--threads", request->threads, "threads; without it as many as the machine has")
+        ->check(CLI::Range(1, 1024))
+        ->type_name("N");
+    verb->add_option("--set", request->options, "override a key of every case: key=value")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
+    verb->callback([request, &run] { run = [request] { return solve(*request); }; });
+}
+
+}  // namespace railpem::app

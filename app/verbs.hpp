@@ -1,0 +1,21 @@
+#pragma once
+// The verbs of the program. Each one declares its own options and runs; main() knows nothing of them.
+
+#include <functional>
+
+namespace CLI {
+class App;
+}
+
+namespace railpem::app {
+
+/// What the chosen verb does once its arguments are read; returns the exit status.
+using Run = std::function<int()>;
+
+void add_solve(CLI::App& program, Run& run);
+void add_sweep(CLI::App& program, Run& run);
+void add_static(CLI::App& program, Run& run);
+void add_validate(CLI::App& program, Run& run);
+void add_describe(CLI::App& program, Run& run);
+
+}  // namespace railpem::app

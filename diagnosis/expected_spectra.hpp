@@ -1,0 +1,48 @@
+#pragma once
+// What the estimator of a recording would measure if the model were true.
+
+#include <Eigen/Core>
+#include <complex>
+#include <vector>
+
+#include "pem/case_parameters.hpp"
+#include "recordings/cross_spectra.hpp"
+
+namespace railpem::diagnosis {
+
+/// Channels of a recording that the model knows: index of the channel and of the response.
+struct ObservedChannel {
+    std::size_t channel;
+    std::size_t response;
+};
+
+/// Pairs channels with responses by location and index (wheel n, bogie n, rail n; body by its position: centre or a pivot within
+/// 0.25 m). Channels elsewhere are left out.
+std::vector<ObservedChannel> observed_channels(const std::vector<recordings::ChannelDescription>& channels, const pem::CaseParameters& parameters);
+
+/// Cross-spectral matrices of the observed channels at the bins first … first + count − 1, (m/s²)²/Hz, [bin] Hermitian.
+struct ExpectedSpectra {
+    std::size_t first_bin = 0;
+    std::vector<Eigen::MatrixXcd> matrices;
+};
+
+/// How the expectation is computed.
+struct ExpectationOptions {
+    double low_hz = 4.0;
+    double high_hz = 175.0;
+    double transfer_step_hz = 0.5;  ///< grid of the single-wheel transfers, which are smooth
+    int oversampling = 4;           ///< fine lines per bin; at least 2·(1 + longest wheel delay/segment)
+    int threads = 0;
+};
+
+/// Expectation of the windowed estimate: ∫|W(f − f')|² S(f') df' with S = Σ_s y_s y_sᴴ over all broadband sources with their delays,
+/// plus P·K(f − f_l) for every line l of power P, plus noise.
+/// The single-wheel transfers are solved on a coarse grid and interpolated; delays and irregularity enter analytically on the fine grid.
+/// `noise_psd`: per observed channel, (m/s²)²/Hz, flat. Sensors of the case are applied.
+ExpectedSpectra expected_spectra(const pem::CaseParameters& parameters, double speed_m_per_s, const recordings::WindowKernel& kernel,
+                                 const std::vector<ObservedChannel>& channels, const std::vector<double>& noise_psd, const ExpectationOptions& options);
+
+/// tr(S⁻¹Ŝ)/channels at every bin: 1 on average when the model predicts what the estimator measures.
+std::vector<double> whitened_trace(const ExpectedSpectra& expected, const recordings::CrossSpectra& measured, const std::vector<ObservedChannel>& channels);
+
+}  // namespace railpem::diagnosis

@@ -1,0 +1,82 @@
+// Draws the charts of an inspection page from the data in #report. Chart.js is in the page already.
+(function () {
+  const data = JSON.parse(document.getElementById('report').textContent);
+  const dashes = [[], [7, 4], [2, 3], [10, 3, 2, 3], [4, 2], [1, 2]];
+  const charts = [];
+  const colour = (name) => getComputedStyle(document.documentElement).getPropertyValue('--' + name).trim();
+
+  // Vertical lines at frequencies that have a name, labelled where there is room.
+  const marks = {
+    id: 'marks',
+    afterDatasetsDraw(chart) {
+      const { ctx, chartArea, scales } = chart;
+      ctx.save();
+      ctx.font = '11px system-ui, sans-serif';
+      let lastX = -Infinity;
+      for (const mark of [...data.named].sort((a, b) => a.f - b.f)) {
+        const x = scales.x.getPixelForValue(mark.f);
+        if (!(x > chartArea.left && x < chartArea.right)) continue;
+        ctx.strokeStyle = colour('mark');
+        ctx.setLineDash([4, 4]);
+        ctx.beginPath();
+        ctx.moveTo(x, chartArea.top);
+        ctx.lineTo(x, chartArea.bottom);
+        ctx.stroke();
+        if (x - lastX < 13) continue;
+        lastX = x;
+        ctx.fillStyle = colour('mark');
+        ctx.save();
+        ctx.translate(x + 10, chartArea.top + 4);
+        ctx.rotate(Math.PI / 2);
+        ctx.fillText(mark.name, 0, 6);
+        ctx.restore();
+      }
+      ctx.restore();
+    }
+  };
+
+  // 1e-7 rather than 0.0000001, and only whole decades on logarithmic axes.
+  function tick(value, axis) {
+    if (axis.type === 'logarithmic') {
+      const decade = Math.round(Math.log10(value) * 1000) / 1000;
+      const leading = Math.round(value / Math.pow(10, Math.floor(decade + 1e-9)));
+      if (axis.axis === 'y' ? !Number.isInteger(decade) : ![1, 2, 5].includes(leading)) return '';
+    }
+    return value !== 0 && (Math.abs(value) < 1e-3 || Math.abs(value) >= 1e5) ? value.toExponential(0) : String(Math.round(value * 1e6) / 1e6);
+  }
+
+  function axes(xTitle, yTitle, yType, xType) {
+    const base = (title) => ({ title: { display: true, text: title, color: colour('ink') }, ticks: { color: colour('soft'), maxRotation: 0, autoSkip: true, callback(value) { return tick(value, this); } }, grid: { color: colour('rule') } });
+    return {
+      x: Object.assign(base(xTitle), { type: xType || 'logarithmic' }),
+      y: Object.assign(base(yTitle), { type: yType })
+    };
+  }
+
+  function draw(id, sets, scales, limits, withMarks) {
+    const canvas = document.getElementById(id);
+    if (!canvas) return;
+    const counts = {};
+    const datasets = sets.map((set) => {
+      const n = counts[set.group] = (counts[set.group] ?? -1) + 1;
+      return { label: set.name, data: set.points, borderColor: colour(set.group), backgroundColor: colour(set.group), borderDash: set.dash || dashes[n % dashes.length],
+        borderWidth: 1.4, pointRadius: set.dots ? 3 : 0, showLine: !set.dots, spanGaps: false };
+    });
+    const lowest = Math.min(...sets.flatMap((set) => set.points.map((point) => point.x)));
+    const highest = Math.max(...sets.flatMap((set) => set.points.map((point) => point.x)));
+    Object.assign(scales.x, { min: lowest, max: highest }, limits.x || {});
+    Object.assign(scales.y, limits.y || {});
+    charts.push(new Chart(canvas, {
+      type: 'line', data: { datasets }, plugins: withMarks ? [marks] : [],
+      options: { animation: false, parsing: false, normalized: true, maintainAspectRatio: false, scales, interaction: { mode: 'nearest', axis: 'x', intersect: false },
+        plugins: { legend: { labels: { color: colour('ink'), boxWidth: 26, boxHeight: 0 } }, tooltip: { callbacks: { title: (items) => items.length ? items[0].parsed.x.toPrecision(4) + ' Hz' : '' } } } }
+    }));
+  }
+
+  function drawAll() {
+    charts.splice(0).forEach((chart) => chart.destroy());
+    for (const chart of data.charts) draw(chart.id, chart.sets, axes(chart.x, chart.y, chart.yType, chart.xType), chart.limits || {}, chart.marks);
+  }
+  drawAll();
+  window.matchMedia('(prefers-color-scheme: dark)').addEventListener('change', drawAll);
+})();

@@ -1,0 +1,24 @@
+#!/usr/bin/env bash
+# The main job from a clean clone: installs what is missing, builds the release program, solves the cases of the paper,
+# draws its figures, and says where everything is. Results go to out/ (or to the folder given as argument).
+set -euo pipefail
+source "$(dirname "$0")/setup.sh"
+out=$(realpath -m "${1:-$root/out}")
+
+configure > /dev/null
+cmake --build "$build" --target railpem
+program="$build/railpem"
+
+cases=("$root"/cases/wei2016/case{1,2,3,3_consistent}.toml)
+"$program" solve "${cases[@]}" --out "$out/wei2016" --bands
+for case in "${cases[@]}"; do
+    "$program" static "$case" --out "$out/wei2016"
+done
+/usr/bin/python3 "$root/scripts/plot_paper.py" --tables "$out/wei2016" --out "$out/wei2016/figures"
+
+cat <<MESSAGE
+
+The program:  $program
+Tables:       $out/wei2016/*.psd.csv, *.bands.csv, *.static.csv, *.summary.json
+Figures:      $out/wei2016/figures/*.png, *.svg (2 to 5 and 7 to 10 of Wei et al. 2016)
+MESSAGE

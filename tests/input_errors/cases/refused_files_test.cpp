@@ -1,0 +1,186 @@
+// Files that cannot be read, folders that cannot be written, disks that are full, arguments that mean nothing.
+
+#include <gtest/gtest.h>
+
+#include "program_run.hpp"
+
+namespace railpem::tests {
+namespace {
+
+using Names = std::vector<std::string>;
+
+TEST(RefusedFiles, NoSuchFile) {
+    const ProgramFolder folder;
+    const Outcome outcome = folder.run({"solve", "case.toml", "--out", "results"});
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_EQ(outcome.message,
+              "case.toml: cannot be read: No such file or directory\nallowed: a TOML file that can be read\n");
+    EXPECT_EQ(folder.content(), Names{});
+}
+
+TEST(RefusedFiles, FolderInPlaceOfAFile) {
+    const ProgramFolder folder;
+    const Outcome outcome = folder.run({"validate", "."});
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_EQ(outcome.message, ".: is a folder\nallowed: a TOML file\n");
+}
+
+TEST(RefusedFiles, EnormousFile) {
+    const ProgramFolder folder;
+    folder.write("case.toml", "");
+    std::filesystem::resize_file(folder.path("case.toml"), (16u << 20) + 1);
+    const Outcome outcome = folder.run({"validate", "case.toml"});
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_EQ(outcome.message, "case.toml: is too large to be an input file\nallowed: at most 16 MiB\n");
+}
+
+TEST(RefusedFiles, DeviceThatNeverEnds) {
+    const ProgramFolder folder;
+    const Outcome outcome = folder.run({"validate", "/dev/zero"});
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_EQ(outcome.message, "/dev/zero: is too large to be an input file\nallowed: at most 16 MiB\n");
+}
+
+TEST(RefusedFiles, OneBadCaseAmongGoodOnesStopsAll) {
+    const ProgramFolder folder;
+    folder.write("good.toml", minimal_case());
+    folder.write("bad.toml", minimal_case("modes = 200", "modes = 0"));
+    const Outcome outcome = folder.run({"solve", "good.toml", "bad.toml", "--out", "results"});
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_EQ(outcome.message,
+              "bad.toml:45:9: 'modes' cannot be 0\n  45 | modes = 0\n     |         ^\nallowed: an integer between 1 "
+              "and 5000\n");
+    EXPECT_EQ(folder.content(), (Names{"bad.toml", "good.toml"}));
+}
+
+TEST(RefusedFiles, TwoCasesOfOneName) {
+    const ProgramFolder folder;
+    folder.write("case.toml", minimal_case());
+    const Outcome outcome = folder.run({"solve", "case.toml", "./case.toml", "--out", "results"});
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_EQ(outcome.message,
+              "./case.toml: its results would be called case.psd.csv, like those of case.toml\nallowed: case files of "
+              "different names\n");
+    EXPECT_EQ(folder.content(), Names{"case.toml"});
+}
+
+TEST(RefusedFiles, OutputFolderIsAFile) {
+    const ProgramFolder folder;
+    folder.write("case.toml", minimal_case());
+    folder.write("results", "mine");
+    for (const char* out : {"results", "results/inner"}) {
+        const Outcome outcome = folder.run({"solve", "case.toml", "--out", out});
+        EXPECT_EQ(outcome.status, 2);
+        EXPECT_EQ(outcome.message,
+                  "--out " + std::string(out) +
+                      ": cannot be written: Not a directory\nallowed: a folder that can be written, or a new one\n");
+    }
+    EXPECT_EQ(folder.read("results"), "mine");
+}
+
+TEST(RefusedFiles, OutputFolderThatCannotBeMade) {
+    const ProgramFolder folder;
+    folder.write("case.toml", minimal_case());
+    const Outcome outcome = folder.run({"static", "case.toml", "--out", "/proc/results"});
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_EQ(outcome.message,
+              "--out /proc/results: cannot be written: No such file or directory\nallowed: a folder that can be "
+              "written, or a new one\n");
+}
+
+TEST(RefusedFiles, DiskFullWhileATableIsWritten) {
+    const ProgramFolder folder;
+    folder.write("case.toml", minimal_case());
+    // 200 lines of 18 columns take 40 kB; the limit on the size of a file stops the write as a full disk does.
+    const Outcome outcome = folder.run({"solve", "case.toml", "--out", "new/results"}, 10000);
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_EQ(outcome.message,
+              "railpem: cannot write new/results/case.psd.csv: File too large\nnothing of this run was kept\n");
+    EXPECT_EQ(folder.content(), Names{"case.toml"});
+}
+
+TEST(RefusedFiles, DiskFullLeavesEarlierResultsAlone) {
+    const ProgramFolder folder;
+    folder.write("case.toml", minimal_case());
+    EXPECT_EQ(folder.run({"solve", "case.toml", "--out", "results"}).status, 0);
+    const std::string before = folder.read("results/case.psd.csv");
+    EXPECT_EQ(folder.run({"solve", "case.toml", "--out", "results", "--set", "vehicle.payload_kg=9000"}, 10000).status,
+              1);
+    EXPECT_EQ(folder.read("results/case.psd.csv"), before);
+    EXPECT_EQ(folder.content(), (Names{"case.toml", "results", "results/case.psd.csv", "results/case.summary.json"}));
+}
+
+TEST(RefusedFiles, FolderInTheWayOfATable) {
+    const ProgramFolder folder;
+    folder.write("case.toml", minimal_case());
+    std::filesystem::create_directories(folder.path("results/case.summary.json"));
+    const Outcome outcome = folder.run({"solve", "case.toml", "--out", "results"});
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_EQ(outcome.message,
+              "railpem: cannot write results/case.summary.json: a folder of that name is in the way\nnothing of this "
+              "run was kept\n");
+    EXPECT_EQ(folder.content(), (Names{"case.toml", "results", "results/case.summary.json"}));
+}
+
+TEST(RefusedFiles, FullStandardOutput) {
+    const ProgramFolder folder;
+    const Outcome outcome = folder.run({"describe", "case"}, 0, "/dev/full");
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_EQ(outcome.message, "railpem: cannot write to the standard output\n");
+}
+
+TEST(RefusedArguments, UnknownVerb) {
+    const ProgramFolder folder;
+    const Outcome outcome = folder.run({"slove"});
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_TRUE(outcome.message.starts_with("railpem: unknown verb 'slove'\nallowed: solve, static, "))
+        << outcome.message;
+    EXPECT_TRUE(outcome.message.ends_with("\ndid you mean 'solve'?\n")) << outcome.message;
+}
+
+TEST(RefusedArguments, UnknownOption) {
+    const ProgramFolder folder;
+    const Outcome outcome = folder.run({"solve", "case.toml", "--out", "results", "--bnds"});
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_EQ(outcome.message,
+              "railpem solve: unknown argument '--bnds'\n"
+              "allowed: --help, --out, --bands, --threads, --set; railpem solve --help says more\n"
+              "did you mean '--bands'?\n");
+}
+
+TEST(RefusedArguments, MissingOutputFolder) {
+    const ProgramFolder folder;
+    const Outcome outcome = folder.run({"solve", "case.toml"});
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_EQ(outcome.message,
+              "railpem solve: --out is required\n"
+              "allowed: --help, --out, --bands, --threads, --set; railpem solve --help says more\n");
+}
+
+TEST(RefusedArguments, ThreadsOutOfRange) {
+    const ProgramFolder folder;
+    const Outcome outcome = folder.run({"solve", "case.toml", "--out", "results", "--threads", "0"});
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_EQ(outcome.message,
+              "railpem solve: --threads: Value 0 not in range 1 to 1024\n"
+              "allowed: --help, --out, --bands, --threads, --set; railpem solve --help says more\n");
+}
+
+TEST(RefusedArguments, UnknownPage) {
+    const ProgramFolder folder;
+    const Outcome outcome = folder.run({"describe", "csae"});
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_TRUE(outcome.message.starts_with("railpem describe: no page about 'csae'\nallowed: case"))
+        << outcome.message;
+    EXPECT_TRUE(outcome.message.ends_with("\ndid you mean 'case'?\n")) << outcome.message;
+}
+
+TEST(Arguments, HelpAndVersionAreNotErrors) {
+    const ProgramFolder folder;
+    EXPECT_EQ(folder.run({"--help"}).status, 0);
+    EXPECT_EQ(folder.run({"solve", "--help"}).status, 0);
+    EXPECT_TRUE(folder.run({"--version"}).output.starts_with("railpem "));
+}
+
+}  // namespace
+}  // namespace railpem::tests
