@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 
 #include "parameters/parameter_error.hpp"
 #include "simulate/catalogue_effects.hpp"
@@ -66,7 +67,7 @@ const HiddenParameter& find(const HiddenEffect& effect, const std::string& name)
 double read_number(const std::string& key, const std::string& text) {
     double value = 0.0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size())
+    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
         throw ParameterError(key, fmt::format("\"{}\" is not a number", text), "a number");
     return value;
 }

@@ -18,7 +18,8 @@ using parameters::ParameterError;
 
 namespace {
 
-constexpr std::uint64_t for_noise = 100;  // purpose of derived seeds, one per channel
+constexpr std::uint64_t for_noise = 100;        // purpose of derived seeds, one per channel
+constexpr std::uint64_t for_noise_floor = 200;  // the same for the floor that all channels have
 
 void refuse(const pem::CaseParameters& parameters, const Options& options) {
     // A Hann window resolves what lies two lines above zero: the record must hold two periods of the lowest frequency.
@@ -31,7 +32,7 @@ void refuse(const pem::CaseParameters& parameters, const Options& options) {
             fmt::format("at least {:g} s", shortest));
     const double lowest_rate = 2.0 * parameters.frequency.to_hz;
     if (!(options.sampling_rate_hz >= lowest_rate))
-        throw ParameterError("--sampling-rate",
+        throw ParameterError("--rate",
                              fmt::format("{:g} Hz cannot show the case's highest frequency, {:g} Hz",
                                          options.sampling_rate_hz, parameters.frequency.to_hz),
                              fmt::format("at least {:g} Hz", lowest_rate));
@@ -103,13 +104,18 @@ Schedule make_schedule(const Options& options, const std::vector<FilteredChannel
     return schedule;
 }
 
-void add_noise(Recording& recording, const std::vector<pem::SensorParameters>& sensors, std::uint64_t seed) {
-    for (std::size_t c = 0; c < sensors.size(); ++c) {
-        if (sensors[c].noise_rms_m_per_s2 <= 0.0) continue;
+/// The noise of the sensors that the case names, and the white floor of every channel; independent of one another.
+void add_noise(Recording& recording, const std::vector<pem::SensorParameters>& sensors, const Options& options) {
+    const auto add = [&](std::size_t c, const pem::SensorParameters& sensor, std::uint64_t purpose) {
+        if (sensor.noise_rms_m_per_s2 <= 0.0) return;
         std::vector<double>& samples = recording.channels[c].acceleration_m_per_s2;
         const std::vector<double> noise =
-            draw_noise(sensors[c], samples.size(), recording.sampling_rate_hz, derived_seed(seed, for_noise + c));
+            draw_noise(sensor, samples.size(), recording.sampling_rate_hz, derived_seed(options.seed, purpose + c));
         for (std::size_t i = 0; i < samples.size(); ++i) samples[i] += noise[i];
+    };
+    for (std::size_t c = 0; c < sensors.size(); ++c) {
+        add(c, sensors[c], for_noise);
+        add(c, {.channel = sensors[c].channel, .noise_rms_m_per_s2 = options.noise_rms_m_per_s2}, for_noise_floor);
     }
 }
 
@@ -192,7 +198,7 @@ Recording simulate(const pem::CaseParameters& parameters, const Options& options
                         .channels = empty_channels(parameters, schedule.samples),
                         .making = {}};
     march(world, excitation, travel, schedule, options, filters, recording);
-    add_noise(recording, sensors, options.seed);
+    add_noise(recording, sensors, options);
 
     Making& making = recording.making;
     making.step_s = schedule.step_s;
