@@ -15,7 +15,8 @@ namespace railpem::app {
 namespace {
 
 const std::map<std::string, std::string (*)()>& pages() {
-    static const std::map<std::string, std::string (*)()> all = {{"case", describe_case}, {"sweep", describe_sweep}};
+    static const std::map<std::string, std::string (*)()> all = {
+        {"case", describe_case}, {"effects", diagnosis::describe_effects}, {"sweep", describe_sweep}};
     return all;
 }
 
@@ -37,7 +38,7 @@ int describe(const std::string& subject) {
 void add_describe(CLI::App& program, Run& run) {
     const auto subject = std::make_shared<std::string>();
     CLI::App* verb = program.add_subcommand("describe", "print the reference page of an input file");
-    verb->add_option("SUBJECT", *subject, "case or sweep")->required();
+    verb->add_option("SUBJECT", *subject, "case, effects or sweep")->required();
     verb->callback([subject, &run] { run = [subject] { return describe(*subject); }; });
 }
 
