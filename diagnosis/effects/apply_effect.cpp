@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <numeric>
 
 #include "diagnosis/effects/effect.hpp"
 #include "parameters/parameter_error.hpp"
@@ -131,16 +132,20 @@ void apply(const EffectInstance& instance, const ParameterAccess& access, pem::C
     effect.apply(parameters, completed(effect, instance), access);
 }
 
+std::vector<std::size_t> application_order(const std::vector<EffectInstance>& instances) {
+    const auto place = [&](std::size_t index) -> std::ptrdiff_t {
+        const Effect& effect = known_effect(instances[index]);
+        return effect.id == "parameter-error" ? -1 : &effect - effects().data();
+    };
+    std::vector<std::size_t> order(instances.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return place(a) < place(b); });
+    return order;
+}
+
 void apply(const std::vector<EffectInstance>& instances, const ParameterAccess& access, pem::CaseParameters& parameters,
            bool force) {
-    for (const EffectInstance& instance : instances) check(instance, access, force);
-    const auto apply_all = [&](const Effect& effect) {
-        for (const EffectInstance& instance : instances)
-            if (instance.effect == effect.id) apply(instance, access, parameters, force);
-    };
-    apply_all(*find_effect("parameter-error"));
-    for (const Effect& effect : effects())
-        if (effect.id != "parameter-error") apply_all(effect);
+    for (const std::size_t index : application_order(instances)) apply(instances[index], access, parameters, force);
 }
 
 }  // namespace railpem::diagnosis

@@ -105,8 +105,11 @@ void check(const EffectInstance& instance, const ParameterAccess& access, bool f
 void apply(const EffectInstance& instance, const ParameterAccess& access, pem::CaseParameters& parameters,
            bool force = false);
 
-/// Applies several in an order that never matters to who lists them: first believed values are put right
-/// (parameter-error), then the effects follow in the order of the catalogue.
+/// The order in which several instances are applied, as indices, whatever the order in which they are listed: first
+/// believed values are put right (parameter-error), then the effects follow in the order of the catalogue.
+std::vector<std::size_t> application_order(const std::vector<EffectInstance>& instances);
+
+/// Applies several in their application_order().
 void apply(const std::vector<EffectInstance>& instances, const ParameterAccess& access, pem::CaseParameters& parameters,
            bool force = false);
 
