@@ -6,6 +6,7 @@
 
 #include "app/apply_option.hpp"
 #include "app/describe_table.hpp"
+#include "app/irregularity_files.hpp"
 #include "app/read_table.hpp"
 #include "app/write_table.hpp"
 
@@ -135,6 +136,7 @@ CaseFile read_document_as_case(Document document, const std::string& name, const
     for (const std::string& option : options) apply_option(document, case_schema(), option);
     CaseFile file{.name = name, .parameters = {}, .document = std::move(document)};
     read_table(file.document, case_schema(), &file.parameters);
+    read_irregularity_files(file.document, file.parameters.irregularity);
     try {
         pem::check(file.parameters);
     } catch (const ParameterError& error) {
