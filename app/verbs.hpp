@@ -17,6 +17,8 @@ void add_sweep(CLI::App& program, Run& run);
 void add_static(CLI::App& program, Run& run);
 void add_simulate(CLI::App& program, Run& run);
 void add_inspect(CLI::App& program, Run& run);
+void add_receptance(CLI::App& program, Run& run);
+void add_compare(CLI::App& program, Run& run);
 void add_validate(CLI::App& program, Run& run);
 void add_describe(CLI::App& program, Run& run);
 
