@@ -2,6 +2,7 @@
 
 It exists for what the program cannot be asked: rails that end free, pinned or clamped, trains of several cars, and the
 rail between the wheels. Hermite elements of 0.3 m, half the pad spacing; e^{+iωt}; displacements positive downwards.
+Needs python3-scipy, which nothing else here does.
 """
 import dataclasses
 import tomllib

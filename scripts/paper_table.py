@@ -31,7 +31,8 @@ Root mean square of the logarithms of the twelve ratios: **{published:.2f} % as 
 The paper quotes two digits: rounding alone leaves up to 4 % in the bogie's 0.12 and 1.2 % in the wheel's 4.2.
 
 Every local maximum lies within {worst:.1f} Hz of the published frequency. The spectra are a comb with a tooth every
-v/2.4 m = 9.26 Hz, and where two teeth are nearly equal the highest one may be another than the paper's:
+v/2.4 m = 9.26 Hz, and where two teeth are nearly equal the highest one may be another than the paper's; the rail of case 1 is
+highest above the 65 to 185 Hz that the paper discusses:
 
 {elsewhere}
 

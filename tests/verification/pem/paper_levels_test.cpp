@@ -32,15 +32,17 @@ const std::vector<PublishedPeak> published_peaks{{"wheel_1", 1, 57.6, 4.2}, {"wh
 /// A maximum of the paper is looked for within 1.5 Hz: a sixth of the distance of two teeth of the comb, v/2.4 m.
 constexpr double kPeakWindowHz = 1.5;
 
-pem::CaseParameters shipped_case(const std::string& name) {
-    return app::read_case(std::string(RAILPEM_SOURCE_DIR) + "/cases/wei2016/" + name + ".toml", {}).parameters;
+using Options = std::vector<std::string>;
+
+pem::CaseParameters shipped_case(const std::string& name, const Options& options = {}) {
+    return app::read_case(std::string(RAILPEM_SOURCE_DIR) + "/cases/wei2016/" + name + ".toml", options).parameters;
 }
 
 /// The three cases of the paper, 1 to 3, with one of the two static variants as case 3.
-std::map<int, pem::Solution> solve_cases(const std::string& third) {
+std::map<int, pem::Solution> solve_cases(const std::string& third, const Options& options = {}) {
     std::map<int, pem::Solution> solved;
     for (const auto& [number, name] : std::map<int, std::string>{{1, "case1"}, {2, "case2"}, {3, third}}) {
-        pem::CaseParameters parameters = shipped_case(name);
+        pem::CaseParameters parameters = shipped_case(name, options);
         // From here the short waves of equation (9) alone excite; 0.1 Hz as in the file keeps the grid of the paper's
         // digits.
         parameters.frequency.from_hz = 20.0;
@@ -121,6 +123,15 @@ TEST(PaperLevelsRms, AsPublished) {
     const std::vector<double> found = ratios(solve_cases("case3"));
     ASSERT_EQ(found.size(), 12u);
     EXPECT_LE(rms_log(found), 0.09);
+}
+
+/// A simply supported rail of 22.2 m with its modes up to 380 Hz, neither of which the paper excludes: 4.57 % found, 5
+/// % is the goal of docs/paper/hunt.md. Its receptances are those of the modal rail, tested in
+/// tests/verification/track.
+TEST(PaperLevelsRms, ShortTruncatedRail) {
+    const std::vector<double> found =
+        ratios(solve_cases("case3", {"solver.rail=modal", "solver.pads=37", "solver.modes=19"}));
+    EXPECT_LE(rms_log(found), 0.05);
 }
 
 /// With Table 2's stiffness in statics and dynamics: all that the paper quotes of the bogie at 37 Hz comes within 2 %
