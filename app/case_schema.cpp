@@ -7,6 +7,7 @@
 #include "app/apply_option.hpp"
 #include "app/describe_table.hpp"
 #include "app/effect_tables.hpp"
+#include "app/irregularity_files.hpp"
 #include "app/read_table.hpp"
 #include "app/write_table.hpp"
 
@@ -137,6 +138,7 @@ CaseFile read_document_as_case(Document document, const std::string& name, const
     for (const std::string& option : options) apply_option(document, case_schema(), option);
     CaseFile file{.name = name, .document = std::move(document)};
     read_table(file.document, case_schema(), &file.without_effects);
+    read_irregularity_files(file.document, file.without_effects.irregularity);
     file.effects = read_effects(file.document, case_schema());
     file.parameters = with_effects(file.document, file.without_effects, file.effects);
     try {

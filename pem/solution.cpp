@@ -12,6 +12,7 @@
 #include "pem/excitation.hpp"
 #include "pem/linearise.hpp"
 #include "pem/sensor_chain.hpp"
+#include "spectra/validity.hpp"
 
 namespace railpem::pem {
 
@@ -90,6 +91,7 @@ Solution solve_case(const CaseParameters& parameters, double speed_m_per_s, cons
     solution.speed_m_per_s = speed_m_per_s;
     solution.frequency_hz = frequency_lines(parameters.frequency);
     solution.warnings = model.warnings;
+    for (std::string& warning : spectra::validity_warnings(parameters.irregularity)) solution.warnings.push_back(std::move(warning));
     warn_of_linearisation(solution);
     for (const Source& source : sources) solution.source_names.push_back(source.name);
     const std::size_t lines = solution.frequency_hz.size();

@@ -24,6 +24,7 @@ class CsvReader {
     const std::vector<std::string>& notes() const { return notes_; }
     const std::string& file() const { return lines_.file(); }
     std::size_t header_line() const { return header_line_; }
+    std::size_t line() const { return line_; }  ///< of the row read last, from 1
 
     /// Reads only these columns (indices into names()). Default: all. Columns not selected are counted, not parsed.
     void select(std::vector<std::size_t> columns);

@@ -17,7 +17,7 @@ Fields<IrregularityParameters> irregularity_fields() {
 Fields<IrregularityBand> irregularity_band_fields() {
     using B = IrregularityBand;
     return {
-        choice(&B::family, "family", {"fra", "power-law", "german-low", "german-high", "chinese-ballastless", "iso3095", "table"}, "the family of spectra").required(),
+        choice(&B::family, "family", {"fra", "power-law", "german-low", "german-high", "chinese-ballastless", "iso3095", "table", "profile"}, "the family of spectra").required(),
         number(&B::shortest_wavelength_m, "shortest_wavelength_m", "m", positive(), "shortest wavelength of the band").required(),
         number(&B::longest_wavelength_m, "longest_wavelength_m", "m", positive(), "longest wavelength of the band").required(),
         integer(&B::fra_class, "fra_class", between(1, 6), "FRA track class, 1 worst to 6 best").source("Hamid & Yang 1981"),
@@ -25,6 +25,8 @@ Fields<IrregularityBand> irregularity_band_fields() {
         number(&B::exponent, "exponent", "1", between(0.0, 8.0), "power law: S(n) falls with n to this power").source("3.15: Wei et al. 2016, eq. (9)"),
         numbers(&B::table_cycles_per_m, "table_cycles_per_m", "1/m", positive(), "table: spatial frequencies, increasing"),
         numbers(&B::table_psd_m3, "table_psd_m3", "m^3", positive(), "table: spectrum there"),
+        text(&B::file, "file", "table, profile: CSV with the columns cycles_per_m and psd_m3, or position_m and height_m (up positive), relative to the case file"),
+        number(&B::segment_length_m, "segment_length_m", "m", not_negative(), "profile: length of the segments whose periodograms are averaged; 0: an eighth of the profile").source("Welch 1967"),
     };
 }
 
@@ -54,6 +56,8 @@ void check_band(const IrregularityBand& band, const std::string& key) {
         throw ParameterError(key + ".shortest_wavelength_m", "the band of wavelengths is empty", "less than longest_wavelength_m");
     if (band.family == Family::power_law && band.coefficient_m3 <= 0.0)
         throw ParameterError(key + ".coefficient_m3", "a power law without a coefficient", "greater than 0");
+    if (band.family == Family::profile) throw ParameterError(key + ".file", "a profile that has not been read", "the name of a CSV file with position_m and height_m");
+    if (!band.file.empty()) throw ParameterError(key + ".file", "this family reads no file", "family = \"table\" or \"profile\"");
     if (band.family != Family::table) return;
     if (band.table_cycles_per_m.size() < 2 || band.table_cycles_per_m.size() != band.table_psd_m3.size())
         throw ParameterError(key + ".table_psd_m3", "the table has no two rows, or its columns differ in length", "two lists of the same length");

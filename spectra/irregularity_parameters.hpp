@@ -8,7 +8,7 @@
 
 namespace railpem::spectra {
 
-enum class Family { fra, power_law, german_low, german_high, chinese_ballastless, iso3095, table };
+enum class Family { fra, power_law, german_low, german_high, chinese_ballastless, iso3095, table, profile };
 
 /// One family over one band of wavelengths; outside the band it is nothing. Bands add where they overlap.
 struct IrregularityBand {
@@ -20,6 +20,9 @@ struct IrregularityBand {
     double exponent = 0.0;
     std::vector<double> table_cycles_per_m;  ///< table: increasing, log–log interpolation, nothing outside
     std::vector<double> table_psd_m3;
+    /// table, profile: the measurement as a file; whoever reads the case turns it into the columns above.
+    std::string file;
+    double segment_length_m = 0.0;  ///< profile: of the spectrum's estimate, spectrum_of_profile(); 0: an eighth of the profile
 };
 
 /// A narrow band in wavelength: Gaussian in n around 1/wavelength, relative standard deviation `relative_bandwidth`,

@@ -127,6 +127,7 @@ WavelengthRange valid_wavelengths(const IrregularityBand& band) {
         case Family::table:
             return {1.0 / band.table_cycles_per_m.back(), 1.0 / band.table_cycles_per_m.front()};
         case Family::power_law:
+        case Family::profile:
             break;
     }
     return {0.0, std::numeric_limits<double>::infinity()};

@@ -8,6 +8,7 @@
 
 #include "app/progress_bar.hpp"
 #include "app/response_summary.hpp"
+#include "spectra/comfort.hpp"
 
 namespace railpem::app {
 namespace {
@@ -75,6 +76,40 @@ TEST(Summary, RmsPeakAndItsFrequency) {
     EXPECT_EQ(speed["warnings"][0], "careful");
     EXPECT_TRUE(speed["comfort"]["body"]["weighted_rms_iso2631_m_per_s2"].is_null())
         << "1 to 9 Hz do not cover 0.5 to 80 Hz";
+}
+
+/// A flat acceleration spectrum over 0.4 to 100 Hz: every measure of comfort is that of spectra/comfort.hpp.
+TEST(Summary, ComfortWhereTheLinesCoverIt) {
+    ResponseSpectra spectra{.speed_m_per_s = 20.0};
+    for (int i = 0; i < 997; ++i) spectra.frequency_hz.push_back(0.4 + 0.1 * i);
+    spectra.psd.assign(pem::response_names().size(), std::vector<double>(997, 1e-3));
+    const nlohmann::json speed = nlohmann::json::parse(summary_text("case", {}, {spectra}))["speeds"][0];
+    const std::vector<double>&f = spectra.frequency_hz, &psd = spectra.psd[0];
+    for (const char* where : {"body", "body_front", "body_rear"}) {
+        const nlohmann::json& comfort = speed["comfort"][where];
+        EXPECT_EQ(comfort["weighted_rms_iso2631_m_per_s2"].get<double>(), *spectra::weighted_rms_iso2631(f, psd));
+        const spectra::VerticalComfort vertical = *spectra::vertical_comfort_en12299(f, psd);
+        EXPECT_EQ(comfort["mean_comfort_en12299"].get<double>(), vertical.mean_comfort);
+        EXPECT_EQ(comfort["percentile_95_en12299_m_per_s2"].get<double>(), vertical.percentile_95_m_per_s2);
+        EXPECT_EQ(comfort["sperling_index"].get<double>(), *spectra::sperling_index_vertical(f, psd));
+    }
+}
+
+/// A power law of exponent 2, S(n) = c/n²: between n1 and n2 the mean square is c(1/n1 − 1/n2).
+TEST(Summary, RmsOfTheIrregularityThatWasMet) {
+    pem::CaseParameters parameters;
+    parameters.irregularity.bands = {{.family = spectra::Family::power_law, .shortest_wavelength_m = 0.01, .longest_wavelength_m = 1e4, .coefficient_m3 = 1e-7, .exponent = 2.0}};
+    parameters.vehicle.payload_kg = 1234.0;
+    ResponseSpectra spectra{.speed_m_per_s = 20.0};
+    for (int i = 0; i <= 9000; ++i) spectra.frequency_hz.push_back(1.0 + 0.01 * i);
+    spectra.psd.assign(pem::response_names().size(), std::vector<double>(9001, 1.0));
+    const nlohmann::json summary = nlohmann::json::parse(summary_text("case", parameters, {spectra}));
+    EXPECT_EQ(summary["payload_kg"], 1234.0);
+    const nlohmann::json& met = summary["speeds"][0]["irregularity"];
+    const double n1 = 1.0 / 20.0, n2 = 91.0 / 20.0;
+    EXPECT_NEAR(met["rms_m"].get<double>() / std::sqrt(1e-7 * (1.0 / n1 - 1.0 / n2)), 1.0, 1e-4);  // trapezoids: (step/f)²/6 at 1 Hz
+    EXPECT_DOUBLE_EQ(met["longest_wavelength_m"].get<double>(), 20.0);
+    EXPECT_DOUBLE_EQ(met["shortest_wavelength_m"].get<double>(), 20.0 / 91.0);
 }
 
 TEST(ProgressLine, ShowsShareAndRemainingTime) {

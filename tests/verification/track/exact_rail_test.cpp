@@ -1,6 +1,7 @@
 // The exact infinite rail against independent solutions written here: the Green function of the free infinite beam
 // (Euler in closed form; Timoshenko by residues of its dispersion relation) with the pads as point springs, solved densely.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
@@ -146,6 +147,30 @@ TEST_P(AgainstGreen, ReceptancesAndPadSum) {
     }
 }
 INSTANTIATE_TEST_SUITE_P(Tracks, AgainstGreen, testing::Values(0, 1));
+
+/// The table of track/README.md: largest difference from the reference over all sixteen receptances, relative to that of wheel 1.
+TEST(ExactRailAccuracy, Table) {
+    fmt::print("| track | frequency Hz | receptances | pad sum |\n|---|---|---|---|\n");
+    const std::vector<double> wheels{10.2, 7.93, -7.8, -10.11};
+    for (const int index : {0, 1}) {
+        const Setting s = setting(index);
+        const track::StaticEquilibrium equilibrium = made_up_equilibrium(s.pads, s.uniform);
+        const track::ExactRail rail = track::exact_rail(s.track, wheels, equilibrium);
+        track::ExactRailWorkspace workspace(rail);
+        for (const double frequency : index == 0 ? std::vector{5.0, 66.7, 200.0, 400.0} : std::vector{20.0, 200.0, 1000.0, 3000.0}) {
+            const track::RailReceptance& exact = track::rail_receptance(rail, same_omega(frequency), workspace);
+            const Brute brute = brute_force(s.track, equilibrium.position_m, equilibrium.dynamic_stiffness_n_per_m, wheels, 2.0 * std::numbers::pi * frequency);
+            double largest = 0.0, pad_sum = 0.0;
+            for (int i = 0; i < 4; ++i) {
+                pad_sum = std::max(pad_sum, std::abs(exact.trackbed[i][0] - brute.pad_sum(i)));
+                for (int j = 0; j < 4; ++j) largest = std::max(largest, std::abs(exact.at(i, j)[0] - brute.receptance(i, j)));
+            }
+            largest /= std::abs(brute.receptance(0, 0));
+            fmt::print("| {} | {:g} | {:.1e} | {:.1e} |\n", s.name, frequency, largest, pad_sum);
+            EXPECT_LT(largest, 1e-8);
+        }
+    }
+}
 
 /// The closed form of the Euler element (e.g. Clough & Penzien): K11 = EIκ³(cosh·sin + sinh·cos)/(1 − cosh·cos) and so on.
 TEST(RailElement, EulerClosedForm) {
