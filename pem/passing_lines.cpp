@@ -110,6 +110,9 @@ std::function<double(double)> failed_fastener_spectrum(const CaseParameters& par
     }
     return [=](double frequency) {
         const double wavenumber = kTwoPi * frequency / speed;
+        // The rail's bending leaves nothing of the pulse above the samples' Nyquist wavenumber (it falls with its fourth power);
+        // the sum over samples would repeat the long waves there.
+        if (wavenumber * spacing / kFine > std::numbers::pi) return 0.0;
         Complex transform = 0.0;
         for (std::size_t i = 0; i < pulse.size(); ++i) transform += pulse[i] * std::polar(spacing / kFine, -wavenumber * position[i]);
         return 2.0 * share * (1.0 - share) / spacing * std::norm(transform) / speed;

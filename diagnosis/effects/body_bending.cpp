@@ -20,7 +20,7 @@ Effect body_bending() {
                         .says = "first bending frequency of the free body"},
                        {.name = "damping_ratio",
                         .unit = "1",
-                        .low = 0.003,
+                        .low = 0.002,
                         .high = 0.1,
                         .typical = 0.02,
                         .spread = Spread::logarithmic,

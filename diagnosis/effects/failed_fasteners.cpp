@@ -8,15 +8,16 @@ Effect failed_fasteners() {
         .id = "failed-fasteners",
         .says = "some fasteners carry little or nothing, so the rail sags further over them",
         .equation =
-            "every n-th seat: lines at m·v/(n·spacing) from the deflection under the standing wheels, and a "
-            "receptance averaged over positions; random seats: shot noise with 2p(1 − p)/spacing·|pulse(κ)|²",
+            "every n-th seat: lines at m·v/(n·spacing) from the deflection under the standing wheels, and with "
+            "solver.moving a receptance averaged over positions (without, wheel 1 stands over a failed seat); random "
+            "seats: shot noise with 2p(1 − p)/spacing·|pulse(κ)|²",
         .source =
             "Xiao, Jin & Wen 2007, J. Vibration and Acoustics 129 (disabled fasteners); Rice 1944, Bell System "
             "Technical Journal 23 (shot noise)",
         .parameters = {{.name = "fraction",
                         .unit = "1",
                         .low = 0.005,
-                        .high = 0.3,
+                        .high = 0.5,
                         .typical = 0.05,
                         .spread = Spread::logarithmic,
                         .strength = true,

@@ -9,8 +9,8 @@ Effect primary_damper_series_stiffness() {
         .stage = "primary",
         .suspension = &vehicle::VehicleParameters::primary,
         .element = Element::primary,
-        .low_n_per_m = 2e5,
-        .high_n_per_m = 5e7,
+        .low_n_per_m = 1e5,
+        .high_n_per_m = 1e8,
         .typical_n_per_m = 4e6,
         .band = {5.0, 100.0},
         .mimics =

@@ -9,7 +9,7 @@ Effect secondary_damper_series_stiffness() {
         .stage = "secondary",
         .suspension = &vehicle::VehicleParameters::secondary,
         .element = Element::secondary,
-        .low_n_per_m = 2e5,
+        .low_n_per_m = 1e5,
         .high_n_per_m = 1e8,
         .typical_n_per_m = 4e6,
         .band = {1.0, 100.0},

@@ -28,7 +28,7 @@ Effect sleeper_flexibility() {
                         .says = "loss factor of the mode"},
                        {.name = "modal_mass_kg",
                         .unit = "kg",
-                        .low = 30.0,
+                        .low = 20.0,
                         .high = 3000.0,
                         .typical = 150.0,
                         .spread = Spread::logarithmic,

@@ -31,7 +31,7 @@ Effect support_compliance() {
                        {.name = "damping_n_s_per_m",
                         .unit = "N s/m",
                         .low = 1e3,
-                        .high = 5e5,
+                        .high = 1e6,
                         .typical = 5e4,
                         .spread = Spread::logarithmic,
                         .says = "dashpot under that mass, per rail seat"}},

@@ -16,7 +16,7 @@ Effect suspension_friction() {
         .parameters = {{.name = "force_n",
                         .unit = "N",
                         .low = 50.0,
-                        .high = 1e4,
+                        .high = 3e4,
                         .typical = 1500.0,
                         .spread = Spread::logarithmic,
                         .strength = true,

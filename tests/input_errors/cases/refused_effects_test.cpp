@@ -85,7 +85,7 @@ TEST(RefusedEffects, MissingChoice) {
                    "case.toml:1:1: [effect] has no 'order' (number of waves around the circumference)\n"
                    "  1 | [[effect]]\n"
                    "    | ^^^^^^^^^^\n"
-                   "allowed: an integer between 1 and 30");
+                   "allowed: an integer between 1 and 60");
 }
 
 TEST(RefusedEffects, WholeNumbersOnly) {
@@ -149,7 +149,7 @@ TEST(RefusedEffects, OneTableInsteadOfAList) {
 
 TEST(RefusedEffects, OptionBeforeTheIdentifier) {
     expect_refused("",
-                   std::string("case.toml: --set effect.exponent=0.1: unknown key 'exponent' in [effect]\n"
+                   std::string("--set effect.exponent=0.1: unknown key 'exponent' in [effect]\n"
                                "allowed: id\n"
                                "did you mean 'track.pads.exponent' or 'irregularity.band.exponent'?"),
                    {"effect.exponent=0.1"});

@@ -49,7 +49,7 @@ TEST(EffectRefusals, Ranges) {
     const EffectInstance undefined{.effect = "rail-damper",
                                    .values = {{"frequency_hz", std::numeric_limits<double>::quiet_NaN()}}};
     const std::string message =
-        "effect.frequency_hz: 'frequency_hz' of 'rail-damper' cannot be nan; allowed: a number between 80 and 2000, in "
+        "effect.frequency_hz: 'frequency_hz' of 'rail-damper' cannot be nan; allowed: a number between 30 and 2000, in "
         "Hz";
     EXPECT_EQ(refusal(undefined), message);
     EXPECT_EQ(refusal(undefined, true), message);
@@ -59,7 +59,7 @@ TEST(EffectRefusals, Choices) {
     EXPECT_EQ(
         refusal({.effect = "wheel-out-of-roundness", .choices = {{"wheel", "1"}}}),
         "effect.order: 'wheel-out-of-roundness' needs 'order' (number of waves around the circumference); allowed: "
-        "a whole number between 1 and 30");
+        "a whole number between 1 and 60");
     EXPECT_EQ(
         refusal({.effect = "wheel-out-of-roundness", .choices = {{"wheel", "5"}, {"order", "3"}}}),
         "effect.wheel: 'wheel' of 'wheel-out-of-roundness' cannot be '5'; allowed: a whole number between 1 and 4");

@@ -41,5 +41,24 @@ TEST(SameAsSimulator, EveryEffectMakesTheSameCase) {
     }
 }
 
+/// What can be hidden can be found: the simulator's ranges lie within those of the library. Where an effect is an
+/// excess (sleeper passing, contact) less than none is no excess, and on a logarithmic range 0 has no place.
+TEST(SameAsSimulator, RangesOfTheLibraryHoldWhatCanBeHidden) {
+    for (const Effect& effect : effects())
+        for (const simulate::HiddenEffect& hidden : simulate::hidden_effects()) {
+            if (hidden.id != effect.id) continue;
+            for (const EffectParameter& parameter : effect.parameters)
+                for (const simulate::HiddenParameter& other : hidden.parameters) {
+                    if (other.name != parameter.name) continue;
+                    const bool excess = parameter.strength && parameter.nothing == parameter.low;
+                    const bool from_zero = parameter.spread == Spread::logarithmic && other.low == 0.0;
+                    if (!excess && !from_zero) {
+                        EXPECT_LE(parameter.low, other.low) << effect.id << ' ' << parameter.name;
+                    }
+                    EXPECT_GE(parameter.high, other.high) << effect.id << ' ' << parameter.name;
+                }
+        }
+}
+
 }  // namespace
 }  // namespace railpem::diagnosis

@@ -195,6 +195,17 @@ TEST(FailedFasteners, RandomOnesAreShotNoise) {
     EXPECT_LT(std::sqrt(variance), 3e-4);
 }
 
+/// The deflection over a failed seat is as smooth as a bent rail: from 10 to 20 Hz (waves of 2.2 and 1.1 m) the spectrum falls by
+/// more than the second power of an amplitude falling with the square of the wavenumber, 2^−4, and never rises again. Samples of
+/// the pulse every quarter bay once repeated the long waves at v/0.15 m = 148 Hz.
+TEST(FailedFasteners, RandomOnesHaveNoShortWaves) {
+    pem::CaseParameters c = coarse_case();
+    c.track.failed_fasteners = {{.fraction = 0.05, .remaining_stiffness_fraction = 0.1}};
+    const auto spectrum = pem::failed_fastener_spectrum(c, vehicle::wheel_positions(c.vehicle), kSpeed);
+    EXPECT_LT(spectrum(20.0), spectrum(10.0) / 16.0);
+    for (double f = 40.0; f < 400.0; f += 0.5) EXPECT_LT(spectrum(f), spectrum(20.0)) << f;
+}
+
 /// Joints: the first line of dips every 12 m has the power of its Fourier coefficient (closed form of the raised cosine).
 TEST(RailJoints, PowerOfALine) {
     pem::CaseParameters c = paper_case(1);
