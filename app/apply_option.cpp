@@ -55,6 +55,14 @@ OptionTarget descend(Document& document, const TableSchema& root, OptionTarget f
             throw document.error(place, {.what = fmt::format("'{}' is not a list of tables in the file", step.name)});
         return {&list_element(document, elements, step, place), list->table.get()};
     }
+    if (const VariantListSchema* list = from.schema->variant_list(step.name)) {
+        Node& elements = child_node(table, step.name, NodeKind::array, place);
+        if (elements.kind != NodeKind::array)
+            throw document.error(place, {.what = fmt::format("'{}' is not a list of tables in the file", step.name)});
+        Node& element = list_element(document, elements, step, place);
+        const Entry* kind = element.find(list->key);
+        return {&element, &list->variant(kind ? kind->node.text : "")};
+    }
     if (from.schema->keyed(step.name)) return {&child_node(table, step.name, NodeKind::table, place), nullptr};
     Entry unknown{.key = step.name, .place = place, .node = {}};
     unknown.node.kind = NodeKind::table;

@@ -6,6 +6,7 @@
 
 #include "app/apply_option.hpp"
 #include "app/describe_table.hpp"
+#include "app/effect_tables.hpp"
 #include "app/irregularity_files.hpp"
 #include "app/read_table.hpp"
 #include "app/write_table.hpp"
@@ -87,6 +88,7 @@ Table<pem::CaseParameters> case_table() {
                        "instance `\"vehicle.body_mass_kg\" = 0.03`; "
                        "0: known exactly. Without an entry the default in the column *tolerance* holds",
                        between(0.0, 10.0));
+    table.variants(effect_list());
     return table;
 }
 
@@ -134,9 +136,11 @@ void collect_numbers(const TableSchema& schema, const std::string& prefix, const
 
 CaseFile read_document_as_case(Document document, const std::string& name, const std::vector<std::string>& options) {
     for (const std::string& option : options) apply_option(document, case_schema(), option);
-    CaseFile file{.name = name, .parameters = {}, .document = std::move(document)};
-    read_table(file.document, case_schema(), &file.parameters);
-    read_irregularity_files(file.document, file.parameters.irregularity);
+    CaseFile file{.name = name, .document = std::move(document)};
+    read_table(file.document, case_schema(), &file.without_effects);
+    read_irregularity_files(file.document, file.without_effects.irregularity);
+    file.effects = read_effects(file.document, case_schema());
+    file.parameters = with_effects(file.document, file.without_effects, file.effects);
     try {
         pem::check(file.parameters);
     } catch (const ParameterError& error) {
@@ -160,9 +164,9 @@ CaseFile parse_case(const std::string& name, const std::string& text, const std:
     return read_document_as_case(parse_document(name, text), std::filesystem::path(name).stem().string(), options);
 }
 
-std::string write_case(const pem::CaseParameters& parameters) {
+std::string write_case(const pem::CaseParameters& parameters, const std::vector<diagnosis::EffectInstance>& effects) {
     const pem::CaseParameters defaults;
-    return write_table(case_schema(), &parameters, &defaults);
+    return write_table(case_schema(), &parameters, &defaults) + write_effects(effects);
 }
 
 std::string describe_case() {

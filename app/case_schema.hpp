@@ -7,6 +7,7 @@
 
 #include "app/document.hpp"
 #include "app/schema.hpp"
+#include "diagnosis/effects/effect.hpp"
 #include "parameters/parameter_error.hpp"
 #include "pem/case_parameters.hpp"
 
@@ -20,17 +21,22 @@ struct CaseFile {
     std::string name;  ///< of the file, without folder and extension: outputs are called after it
     pem::CaseParameters parameters;
     Document document;
+    pem::CaseParameters without_effects;  ///< as the file states it, before its [[effect]] tables
+    std::vector<diagnosis::EffectInstance> effects;
 };
 
-/// Reads a case, applies the options `--set key=value` in order and checks all of it, the rules of physics included.
+/// Reads a case, applies the options `--set key=value` in order, then the effects, and checks all of it, the rules of
+/// physics included.
 /// Throws InputError.
 CaseFile read_case(const std::string& path, const std::vector<std::string>& options);
 
 /// The same for a text that is already there, called `name` in messages.
 CaseFile parse_case(const std::string& name, const std::string& text, const std::vector<std::string>& options);
 
-/// The case as a TOML text that read_case() reads back to the same values.
-std::string write_case(const pem::CaseParameters& parameters);
+/// The case as a TOML text that read_case() reads back to the same values. `effects` follow as [[effect]] tables;
+/// `parameters` are those without them.
+std::string write_case(const pem::CaseParameters& parameters,
+                       const std::vector<diagnosis::EffectInstance>& effects = {});
 
 /// The reference page of the case file.
 std::string describe_case();

@@ -79,6 +79,8 @@ void describe(const TableSchema& schema, const void* defaults, const std::string
         page += fmt::format("## `[[{}]]`\n\n{}.\n\n", name, list.says);
         describe(*list.table, list.example.get(), name, page);
     }
+    for (const VariantListSchema& list : schema.variant_lists)
+        page += fmt::format("## `[[{}]]`\n\n{}.\n\n", inner_key(path, list.name), list.says);
     for (const KeyedNumbersSchema& keyed : schema.keyed_numbers)
         page += fmt::format("## `[{}]`\n\n{}. Values: numbers {}.\n\n", inner_key(path, keyed.name), keyed.says,
                             keyed.range.text());

@@ -16,9 +16,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-[[noreturn]] void refuse_folder(const fs::path& folder, const std::string& reason) {
-    throw InputError(fmt::format("--out {}: cannot be written: {}\nallowed: a folder that can be written, or a new one",
-                                 folder.string(), reason));
+[[noreturn]] void refuse_folder(const std::string& option, const fs::path& folder, const std::string& reason) {
+    throw InputError(fmt::format("{} {}: cannot be written: {}\nallowed: a folder that can be written, or a new one",
+                                 option, folder.string(), reason));
 }
 
 [[noreturn]] void fail_file(const fs::path& file, const std::string& reason, const std::string& consequence) {
@@ -45,15 +45,25 @@ int write_file(const fs::path& file, const std::string& content) {
     return failure;
 }
 
+/// Flushes a file to the disk that somebody else has written. Returns 0, or the error number.
+int flush_file(const fs::path& file) {
+    const int descriptor = ::open(file.c_str(), O_WRONLY | O_CLOEXEC);
+    if (descriptor < 0) return errno;
+    int failure = ::fsync(descriptor) != 0 && errno != EINVAL ? errno : 0;
+    if (::close(descriptor) != 0 && failure == 0) failure = errno;
+    return failure;
+}
+
 }  // namespace
 
-OutputFolder::OutputFolder(const fs::path& folder) : folder_(folder.empty() ? fs::path(".") : folder) {
+OutputFolder::OutputFolder(const fs::path& folder, const std::string& option)
+    : folder_(folder.empty() ? fs::path(".") : folder), option_(option) {
     make_folders();
     const fs::path probe = folder_ / fmt::format(".railpem-{}.partial", ::getpid());
     const int failure = write_file(probe, "");
     if (failure != 0) {
         remove_folders();
-        refuse_folder(folder_, std::strerror(failure));
+        refuse_folder(option_, folder_, std::strerror(failure));
     }
     std::error_code ignored;
     fs::remove(probe, ignored);
@@ -75,16 +85,27 @@ void OutputFolder::make_folders() {
         if (fs::create_directory(*level, failure)) made_.push_back(*level);
         if (failure) {
             remove_folders();
-            refuse_folder(folder_, failure.message());
+            refuse_folder(option_, folder_, failure.message());
         }
     }
-    if (!fs::is_directory(folder_, status)) refuse_folder(folder_, std::strerror(ENOTDIR));
+    if (!fs::is_directory(folder_, status)) refuse_folder(option_, folder_, std::strerror(ENOTDIR));
+}
+
+const OutputFolder::File& OutputFolder::add_file(const std::string& name) {
+    return files_.emplace_back(
+        File{folder_ / fmt::format(".{}.{}.partial", name, ::getpid()), folder_ / name});
 }
 
 void OutputFolder::write(const std::string& name, const std::string& content) {
-    const File file{folder_ / fmt::format(".{}.{}.partial", name, ::getpid()), folder_ / name};
-    files_.push_back(file);
+    const File file = add_file(name);
     const int failure = write_file(file.temporary, content);
+    if (failure != 0) fail_file(file.final_name, std::strerror(failure), kNothingKept);
+}
+
+void OutputFolder::write_by(const std::string& name, const std::function<void(const fs::path&)>& writer) {
+    const File file = add_file(name);
+    writer(file.temporary);
+    const int failure = flush_file(file.temporary);
     if (failure != 0) fail_file(file.final_name, std::strerror(failure), kNothingKept);
 }
 

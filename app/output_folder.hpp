@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -18,14 +19,18 @@ class OutputError : public std::runtime_error {
 class OutputFolder {
   public:
     /// Makes the folder where it does not exist and makes sure that files can be made in it.
-    /// Throws InputError when that is not possible.
-    explicit OutputFolder(const std::filesystem::path& folder);
+    /// Throws InputError, naming `option`, when that is not possible.
+    explicit OutputFolder(const std::filesystem::path& folder, const std::string& option = "--out");
     OutputFolder(const OutputFolder&) = delete;
     OutputFolder& operator=(const OutputFolder&) = delete;
     ~OutputFolder();
 
     /// Writes a file under a temporary name. Throws OutputError when not all of it reaches the disk.
     void write(const std::string& name, const std::string& content);
+
+    /// Writes a file that is too large for one text, or that a library writes: `writer` makes the file of that path, or
+    /// throws OutputError. Throws OutputError when not all of it reaches the disk.
+    void write_by(const std::string& name, const std::function<void(const std::filesystem::path&)>& writer);
 
     /// Gives every file written its name. Throws OutputError.
     void commit();
@@ -37,11 +42,13 @@ class OutputFolder {
         std::filesystem::path temporary;
         std::filesystem::path final_name;
     };
+    const File& add_file(const std::string& name);
     void make_folders();
     void remove_folders() noexcept;
     void remove_all() noexcept;
 
     std::filesystem::path folder_;
+    std::string option_;
     std::vector<std::filesystem::path> made_;  ///< folders made here, outermost first
     std::vector<File> files_;
 };

@@ -141,6 +141,8 @@ struct TableReader {
             read_list(entry, *list);
         else if (const KeyedNumbersSchema* keyed = schema.keyed(entry.key))
             read_keyed(entry, *keyed);
+        else if (const VariantListSchema* variants = schema.variant_list(entry.key))
+            refuse_unless_list(entry, inner_key(path, variants->name));
         else
             refuse(reading, entry.place, unknown_key(entry, schema, path, reading.root));
     }
@@ -165,6 +167,12 @@ struct TableReader {
 
     void read_list(const Entry& entry, const TableListSchema& list) const {
         const std::string name = inner_key(path, list.name);
+        refuse_unless_list(entry, name);
+        for (const Node& element : entry.node.elements)
+            TableReader{reading, *list.table, name, list.append(owner)}.read(element);
+    }
+
+    void refuse_unless_list(const Entry& entry, const std::string& name) const {
         const std::string allowed = fmt::format("tables [[{}]], as many as there are", name);
         if (entry.node.kind != NodeKind::array)
             refuse(reading, entry.place,
@@ -176,7 +184,6 @@ struct TableReader {
                        {.what = fmt::format("'{}' is a list of tables, it cannot hold {}", entry.key,
                                             kind_text(element.kind)),
                         .allowed = allowed});
-            TableReader{reading, *list.table, name, list.append(owner)}.read(element);
         }
     }
 
@@ -209,6 +216,23 @@ struct TableReader {
 void read_table(const Document& document, const TableSchema& schema, void* owner) {
     const Reading reading{document, schema};
     TableReader{reading, schema, "", owner}.read(document.root);
+}
+
+void read_variants(const Document& document, const TableSchema& root, const VariantListSchema& list,
+                   const std::function<void*(const std::string& kind)>& append) {
+    const Reading reading{document, root};
+    const Entry* entry = document.root.find(list.name);
+    if (!entry) return;
+    for (const Node& element : entry->node.elements) {
+        const FieldSchema& key = *list.unknown->field(list.key);
+        const Entry* kind = element.find(list.key);
+        if (!kind)
+            refuse(reading, element.place,
+                   {.what = fmt::format("{} has no '{}' ({})", table_text(list.name), list.key, key.description.says),
+                    .allowed = allowed_text(key.description)});
+        const std::string name = std::get<std::string>(read_value(reading, *kind, key.description));
+        TableReader{reading, list.variant(name), list.name, append(name)}.read(element);
+    }
 }
 
 InputError refused(const Document& document, const ParameterError& error) {

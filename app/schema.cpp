@@ -61,12 +61,22 @@ const KeyedNumbersSchema* TableSchema::keyed(const std::string& name) const {
     return find_named(keyed_numbers, name, kName);
 }
 
+const VariantListSchema* TableSchema::variant_list(const std::string& name) const {
+    return find_named(variant_lists, name, kName);
+}
+
+const TableSchema& VariantListSchema::variant(const std::string& kind) const {
+    const auto found = variants.find(kind);
+    return found == variants.end() ? *unknown : *found->second;
+}
+
 std::vector<std::string> TableSchema::names() const {
     std::vector<std::string> all;
     for (const FieldSchema& item : fields) all.push_back(item.description.key);
     for (const SubtableSchema& item : tables) all.push_back(item.name);
     for (const TableListSchema& item : lists) all.push_back(item.name);
     for (const KeyedNumbersSchema& item : keyed_numbers) all.push_back(item.name);
+    for (const VariantListSchema& item : variant_lists) all.push_back(item.name);
     return all;
 }
 

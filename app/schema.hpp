@@ -48,16 +48,31 @@ struct KeyedNumbersSchema {
     std::function<std::map<std::string, double>&(void* owner)> member;
 };
 
+/// [[name]] whose elements are of several kinds, told by one of their keys. The tables of the kinds are bound to
+/// elements of their own, not to the owner: whoever reads the file gathers them with read_variants().
+struct VariantListSchema {
+    std::string name;
+    std::string says;
+    std::string key;  ///< the key that tells the kind: every table below has it, as a choice
+    std::map<std::string, std::shared_ptr<const TableSchema>> variants;
+    std::shared_ptr<const TableSchema> unknown;  ///< while the kind is not known: the key alone
+
+    /// The table of an element whose key has that value.
+    const TableSchema& variant(const std::string& kind) const;
+};
+
 struct TableSchema {
     std::vector<FieldSchema> fields;
     std::vector<SubtableSchema> tables;
     std::vector<TableListSchema> lists;
     std::vector<KeyedNumbersSchema> keyed_numbers;
+    std::vector<VariantListSchema> variant_lists;
 
     const FieldSchema* field(const std::string& key) const;
     const SubtableSchema* table(const std::string& name) const;
     const TableListSchema* list(const std::string& name) const;
     const KeyedNumbersSchema* keyed(const std::string& name) const;
+    const VariantListSchema* variant_list(const std::string& name) const;
     /// Every name that may stand in the table.
     std::vector<std::string> names() const;
 };
@@ -98,19 +113,23 @@ class Table {
 
     Table& keyed_numbers(std::string name, std::map<std::string, double> Owner::*member, std::string says,
                          parameters::Range range) {
-        schema_->keyed_numbers.push_back({std::move(name), std::move(says), range, [member](void* owner) -> auto& { return static_cast<Owner*>(owner)->*member;
-    }});
-return *this;
-}  // namespace railpem::app
+        const auto within = [member](void* owner) -> std::map<std::string, double>& {
+            return static_cast<Owner*>(owner)->*member;
+        };
+        schema_->keyed_numbers.push_back({std::move(name), std::move(says), range, within});
+        return *this;
+    }
 
-std::shared_ptr<const TableSchema> schema() const {
-    return schema_;
-}
+    Table& variants(VariantListSchema list) {
+        schema_->variant_lists.push_back(std::move(list));
+        return *this;
+    }
 
-private:
-std::shared_ptr<TableSchema> schema_;
-}
-;
+    std::shared_ptr<const TableSchema> schema() const { return schema_; }
+
+  private:
+    std::shared_ptr<TableSchema> schema_;
+};
 
 /// What a field may be, for messages and the reference page: "a number greater than 0, in kg".
 std::string allowed_text(const parameters::Description& description);

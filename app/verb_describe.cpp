@@ -7,6 +7,7 @@
 #include "app/case_schema.hpp"
 #include "app/input_error.hpp"
 #include "app/nearest_key.hpp"
+#include "app/recording_schema.hpp"
 #include "app/sweep_schema.hpp"
 #include "app/verbs.hpp"
 
@@ -15,7 +16,11 @@ namespace railpem::app {
 namespace {
 
 const std::map<std::string, std::string (*)()>& pages() {
-    static const std::map<std::string, std::string (*)()> all = {{"case", describe_case}, {"sweep", describe_sweep}};
+    static const std::map<std::string, std::string (*)()> all = {
+        {"case", describe_case},
+        {"effects", diagnosis::describe_effects},
+        {"recording", describe_recording},
+        {"sweep", describe_sweep}};
     return all;
 }
 
@@ -37,7 +42,7 @@ int describe(const std::string& subject) {
 void add_describe(CLI::App& program, Run& run) {
     const auto subject = std::make_shared<std::string>();
     CLI::App* verb = program.add_subcommand("describe", "print the reference page of an input file");
-    verb->add_option("SUBJECT", *subject, "case or sweep")->required();
+    verb->add_option("SUBJECT", *subject, "case, effects, recording or sweep")->required();
     verb->callback([subject, &run] { run = [subject] { return describe(*subject); }; });
 }
 

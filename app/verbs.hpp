@@ -15,6 +15,8 @@ using Run = std::function<int()>;
 void add_solve(CLI::App& program, Run& run);
 void add_sweep(CLI::App& program, Run& run);
 void add_static(CLI::App& program, Run& run);
+void add_simulate(CLI::App& program, Run& run);
+void add_inspect(CLI::App& program, Run& run);
 void add_receptance(CLI::App& program, Run& run);
 void add_compare(CLI::App& program, Run& run);
 void add_validate(CLI::App& program, Run& run);

@@ -20,7 +20,8 @@ Section section_of(const track::RailParameters& rail) {
                     .mass_kg_per_m = rail.mass_kg_per_m,
                     .rotary_inertia_kg_m = 0.0};
     if (rail.beam == track::Beam::timoshenko) {
-        section.shear_flexibility_per_n = 1.0 / (rail.shear_coefficient * rail.shear_modulus_pa * rail.cross_section_m2);
+        section.shear_flexibility_per_n =
+            1.0 / (rail.shear_coefficient * rail.shear_modulus_pa * rail.cross_section_m2);
         section.rotary_inertia_kg_m = rail.mass_kg_per_m * rail.second_moment_of_area_m4 / rail.cross_section_m2;
     }
     return section;
@@ -29,9 +30,9 @@ Section section_of(const track::RailParameters& rail) {
 Eigen::Matrix4d element_stiffness(const Section& section, double l) {
     const double phi = shear_ratio(section, l);
     Eigen::Matrix4d k;
-    k << 12.0, 6.0 * l, -12.0, 6.0 * l,                        //
+    k << 12.0, 6.0 * l, -12.0, 6.0 * l,                               //
         6.0 * l, (4.0 + phi) * l * l, -6.0 * l, (2.0 - phi) * l * l,  //
-        -12.0, -6.0 * l, 12.0, -6.0 * l,                       //
+        -12.0, -6.0 * l, 12.0, -6.0 * l,                              //
         6.0 * l, (2.0 - phi) * l * l, -6.0 * l, (4.0 + phi) * l * l;
     return k * (section.bending_rigidity_n_m2 / (l * l * l * (1.0 + phi)));
 }
@@ -57,8 +58,10 @@ Eigen::Vector4d rotation_shape(const Section& section, double l, double at) {
 
 Eigen::Matrix4d element_mass(const Section& section, double l) {
     // Four Gauss points integrate the products of cubics (degree 6) exactly.
-    constexpr std::array<double, 4> point{-0.8611363115940526, -0.3399810435848563, 0.3399810435848563, 0.8611363115940526};
-    constexpr std::array<double, 4> weight{0.3478548451374538, 0.6521451548625461, 0.6521451548625461, 0.3478548451374538};
+    constexpr std::array<double, 4> point{-0.8611363115940526, -0.3399810435848563, 0.3399810435848563,
+                                          0.8611363115940526};
+    constexpr std::array<double, 4> weight{0.3478548451374538, 0.6521451548625461, 0.6521451548625461,
+                                           0.3478548451374538};
     Eigen::Matrix4d mass = Eigen::Matrix4d::Zero();
     for (std::size_t i = 0; i < point.size(); ++i) {
         const double at = 0.5 * l * (1.0 + point[i]);

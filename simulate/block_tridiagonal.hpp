@@ -19,11 +19,12 @@ struct BlockTridiagonal {
     std::vector<Block> upper;     ///< block (k, k + 1); the lower one is its transpose
 };
 
-/// L·D·Lᵀ by blocks, without pivoting: the real part of every leading block is positive definite for the matrices
-/// M·s² + C·s + K with the Radau step's s (|arg s| < 90°).
+/// Block elimination from both ends towards the middle, without pivoting: the real part of every leading block is
+/// positive definite for the matrices M·s² + C·s + K with the Radau step's s (|arg s| < 45°). Two ends at once because
+/// each elimination waits for the one before it: the processor works on both chains at a time.
 struct BlockFactors {
     std::vector<Block> inverse;  ///< of the reduced diagonal blocks
-    std::vector<Block> lower;    ///< L(k, k − 1), k ≥ 1
+    std::vector<Block> carry;    ///< what node k hands on to its neighbour nearer to the middle
 };
 
 void factorise(const BlockTridiagonal& matrix, BlockFactors& factors);

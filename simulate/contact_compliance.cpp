@@ -34,7 +34,8 @@ ContactCompliance tabulate_compliance(const TrackWindow& track, double advance_m
         const Stencil at_2 = stencil_at(track, first + advance_m);
         const std::vector<Pair> response_1 = response_to_unit_load(track, at_1);
         const std::vector<Pair> response_2 = response_to_unit_load(track, at_2);
-        table.entries.push_back({displacement(response_1, at_1), displacement(response_1, at_2), displacement(response_2, at_2)});
+        table.entries.push_back(
+            {displacement(response_1, at_1), displacement(response_1, at_2), displacement(response_2, at_2)});
     }
     return table;
 }
@@ -44,11 +45,14 @@ std::array<double, 4> ContactCompliance::at(const RadauStep& step, double positi
     const double place = (bay - std::floor(bay)) * places;
     const auto i = static_cast<std::size_t>(place);
     const double share = place - static_cast<double>(i);
-    const auto between = [&](std::size_t entry) { return entries[i][entry] + share * (entries[i + 1][entry] - entries[i][entry]); };
+    const auto between = [&](std::size_t entry) {
+        return entries[i][entry] + share * (entries[i + 1][entry] - entries[i][entry]);
+    };
     const Complex c11 = between(0);
     const Complex c12 = between(1);
     const Complex c22 = between(2);
-    return {step.at_first(product(c11, step.tau1)), step.at_first(product(c12, step.tau2)), RadauStep::at_end(product(c12, step.tau1)), RadauStep::at_end(product(c22, step.tau2))};
+    return {step.at_first(product(c11, step.tau1)), step.at_first(product(c12, step.tau2)),
+            RadauStep::at_end(product(c12, step.tau1)), RadauStep::at_end(product(c22, step.tau2))};
 }
 
 }  // namespace railpem::simulate

@@ -7,9 +7,9 @@
 
 namespace railpem::simulate {
 
-/// How far the rail gives under a contact within one step: C_ik of both stages' places, at a row of places within a bay.
-/// The track repeats itself from bay to bay, so one bay is tabulated. Serves as Jacobian only: what it misses (failed
-/// fasteners, nonlinear pads, the neighbouring wheel) is found by the iteration.
+/// How far the rail gives under a contact within one step: C_ik of both stages' places, at a row of places within a
+/// bay. The track repeats itself from bay to bay, so one bay is tabulated. Serves as Jacobian only: what it misses
+/// (failed fasteners, nonlinear pads, the neighbouring wheel) is found by the iteration.
 struct ContactCompliance {
     double spacing_m = 0.0;
     std::vector<std::array<Complex, 3>> entries;  ///< C11, C12, C22 over one bay, first place repeated at the end

@@ -5,11 +5,17 @@
 
 namespace railpem::simulate {
 
-double worn_tread_constant(double wheel_radius_m) { return 3.86e-8 * std::pow(wheel_radius_m, -0.115); }
+double worn_tread_constant(double wheel_radius_m) {
+    return 3.86e-8 * std::pow(wheel_radius_m, -0.115);
+}
 
-double static_approach(const ContactLaw& law) { return law.constant_m_per_n23 * std::cbrt(law.static_load_n * law.static_load_n); }
+double static_approach(const ContactLaw& law) {
+    return law.constant_m_per_n23 * std::cbrt(law.static_load_n * law.static_load_n);
+}
 
-double contact_stiffness(const ContactLaw& law) { return 1.5 * std::cbrt(law.static_load_n) / law.constant_m_per_n23; }
+double contact_stiffness(const ContactLaw& law) {
+    return 1.5 * std::cbrt(law.static_load_n) / law.constant_m_per_n23;
+}
 
 ForceAndSlope contact_force(const ContactLaw& law, double approach_m) {
     const double approach_0 = static_approach(law);

@@ -6,9 +6,9 @@ namespace railpem::simulate {
 
 /// Wheel–rail contact P(δ), δ the approach of the two bodies (positive in compression).
 ///
-/// Hertz: P = (δ/G)^{3/2}, nothing in tension. With another share φ of its nonlinearity P = L + φ·(H − L), H Hertz's law
-/// and L its tangent at the static load P0; never tensile. For φ > 1 this would turn upwards again before the contact
-/// opens: from where its slope vanishes down to δ = 0 it is replaced by the chord to zero.
+/// Hertz: P = (δ/G)^{3/2}, nothing in tension. With another share φ of its nonlinearity P = L + φ·(H − L), H Hertz's
+/// law and L its tangent at the static load P0; never tensile. For φ > 1 this would turn upwards again before the
+/// contact opens: from where its slope vanishes down to δ = 0 it is replaced by the chord to zero.
 struct ContactLaw {
     double constant_m_per_n23 = 0.0;  ///< G
     double static_load_n = 0.0;       ///< P0

@@ -46,6 +46,7 @@ struct Excitation {
 double shortest_wavelength_m(const spectra::IrregularityParameters& irregularity, double speed_m_per_s, double step_s);
 
 /// Profile, wheels and phases for a record from `start_s` to `end_s`.
-Excitation make_excitation(const pem::CaseParameters& parameters, const Options& options, const Travel& travel, double start_s, double end_s, double step_s);
+Excitation make_excitation(const pem::CaseParameters& parameters, const Options& options, const Travel& travel,
+                           double start_s, double end_s, double step_s);
 
 }  // namespace railpem::simulate

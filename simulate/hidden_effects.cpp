@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 
 #include "parameters/parameter_error.hpp"
 #include "simulate/catalogue_effects.hpp"
@@ -66,7 +67,8 @@ const HiddenParameter& find(const HiddenEffect& effect, const std::string& name)
 double read_number(const std::string& key, const std::string& text) {
     double value = 0.0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size()) throw ParameterError(key, fmt::format("\"{}\" is not a number", text), "a number");
+    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
+        throw ParameterError(key, fmt::format("\"{}\" is not a number", text), "a number");
     return value;
 }
 
@@ -76,7 +78,8 @@ void read_value(const HiddenEffect& effect, const std::string& item, bool force,
     const std::string name = item.substr(0, equals);
     const HiddenParameter& parameter = find(effect, name);
     const std::string key = fmt::format("--hide {}:{}", effect.id, name);
-    if (equals == std::string::npos || equals + 1 == item.size()) throw ParameterError(key, "no value", name + "=VALUE");
+    if (equals == std::string::npos || equals + 1 == item.size())
+        throw ParameterError(key, "no value", name + "=VALUE");
     if (hidden.values.has(name)) throw ParameterError(key, "given twice", "once");
     hidden.values.given.push_back(name);
     const std::string text = item.substr(equals + 1);
@@ -89,14 +92,19 @@ void read_value(const HiddenEffect& effect, const std::string& item, bool force,
     }
     const double value = read_number(key, text);
     const bool inside = value >= parameter.low && value <= parameter.high;
-    if (!inside && !force) throw ParameterError(key, fmt::format("{:g} is outside the physical range", value), fmt::format("between {:g} and {:g} {}, or --force", parameter.low, parameter.high, parameter.unit));
+    if (!inside && !force)
+        throw ParameterError(
+            key, fmt::format("{:g} is outside the physical range", value),
+            fmt::format("between {:g} and {:g} {}, or --force", parameter.low, parameter.high, parameter.unit));
     hidden.forced = hidden.forced || !inside;
     hidden.values.numbers[name] = value;
 }
 
 }  // namespace
 
-bool HiddenValues::has(const std::string& name) const { return std::find(given.begin(), given.end(), name) != given.end(); }
+bool HiddenValues::has(const std::string& name) const {
+    return std::find(given.begin(), given.end(), name) != given.end();
+}
 
 const std::vector<HiddenEffect>& hidden_effects() {
     static const std::vector<HiddenEffect> all = [] {
@@ -119,13 +127,15 @@ Hidden parse_hidden(const std::string& text, bool force) {
     }
     for (const HiddenParameter& parameter : effect.parameters) {
         if (hidden.values.has(parameter.name)) continue;
-        if (parameter.is_text) throw ParameterError(fmt::format("--hide {}:{}", effect.id, parameter.name), "missing", parameter.says);
+        if (parameter.is_text)
+            throw ParameterError(fmt::format("--hide {}:{}", effect.id, parameter.name), "missing", parameter.says);
         hidden.values.numbers[parameter.name] = parameter.standard;
     }
     return hidden;
 }
 
-void apply_hidden(const Hidden& hidden, pem::CaseParameters& parameters, OnlyHereParameters& only_here, const ScaleParameter& scale) {
+void apply_hidden(const Hidden& hidden, pem::CaseParameters& parameters, OnlyHereParameters& only_here,
+                  const ScaleParameter& scale) {
     find(hidden.id).apply(hidden.values, {.parameters = parameters, .only_here = only_here, .scale = scale});
 }
 
@@ -134,7 +144,9 @@ std::string describe_hidden() {
     for (const HiddenEffect& effect : hidden_effects()) {
         if (!effect.only_here) continue;
         text += fmt::format("\n`{}` ({}): {}\n", effect.id, effect.place, effect.says);
-        for (const HiddenParameter& p : effect.parameters) text += fmt::format("- `{}` {:g} to {:g} {}, default {:g}: {}\n", p.name, p.low, p.high, p.unit == "1" ? "" : p.unit, p.standard, p.says);
+        for (const HiddenParameter& p : effect.parameters)
+            text += fmt::format("- `{}` {:g} to {:g} {}, default {:g}: {}\n", p.name, p.low, p.high,
+                                p.unit == "1" ? "" : p.unit, p.standard, p.says);
     }
     return text;
 }
@@ -143,10 +155,13 @@ std::string hidden_json(const Hidden& hidden) {
     const HiddenEffect& effect = find(hidden.id);
     std::string values;
     for (const HiddenParameter& p : effect.parameters) {
-        const std::string value = p.is_text ? fmt::format("\"{}\"", hidden.values.texts.at(p.name)) : fmt::format("{:.17g}", hidden.values.numbers.at(p.name));
+        const std::string value = p.is_text ? fmt::format("\"{}\"", hidden.values.texts.at(p.name))
+                                            : fmt::format("{:.17g}", hidden.values.numbers.at(p.name));
         values += fmt::format("{}\"{}\": {}", values.empty() ? "" : ", ", p.name, value);
     }
-    return fmt::format("{{\"effect\": \"{}\", \"place\": \"{}\", \"only_here\": {}, \"forced\": {}, \"parameters\": {{{}}}}}", hidden.id, effect.place, effect.only_here, hidden.forced, values);
+    return fmt::format(
+        "{{\"effect\": \"{}\", \"place\": \"{}\", \"only_here\": {}, \"forced\": {}, \"parameters\": {{{}}}}}",
+        hidden.id, effect.place, effect.only_here, hidden.forced, values);
 }
 
 }  // namespace railpem::simulate

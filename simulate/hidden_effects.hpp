@@ -24,11 +24,12 @@ struct HiddenParameter {
 struct HiddenValues {
     std::map<std::string, double> numbers;
     std::map<std::string, std::string> texts;
-    std::vector<std::string> given;    ///< names that stood in the text
+    std::vector<std::string> given;  ///< names that stood in the text
     bool has(const std::string& name) const;
 };
 
-/// Multiplies the case's value of a dotted key by a factor; given by whoever owns the schema (effect `parameter-error`).
+/// Multiplies the case's value of a dotted key by a factor; given by whoever owns the schema (effect
+/// `parameter-error`).
 using ScaleParameter = std::function<void(pem::CaseParameters&, const std::string& key, double factor)>;
 
 struct HiddenTarget {
@@ -56,12 +57,13 @@ struct Hidden {
     bool forced = false;  ///< a value lies outside its range
 };
 
-/// Reads `EFFECT[:parameter=value,…]`. Throws parameters::ParameterError ("--hide") for an unknown effect or parameter, a
-/// value that is no number, and a value outside its range unless `force`.
+/// Reads `EFFECT[:parameter=value,…]`. Throws parameters::ParameterError ("--hide") for an unknown effect or parameter,
+/// a value that is no number, and a value outside its range unless `force`.
 Hidden parse_hidden(const std::string& text, bool force = false);
 
 /// Puts the effect into the case, or into what exists only here. The case is to be checked afterwards.
-void apply_hidden(const Hidden& hidden, pem::CaseParameters& parameters, OnlyHereParameters& only_here, const ScaleParameter& scale = {});
+void apply_hidden(const Hidden& hidden, pem::CaseParameters& parameters, OnlyHereParameters& only_here,
+                  const ScaleParameter& scale = {});
 
 /// Text for `simulate --list`: the effects that exist only here with parameters and ranges, Markdown.
 std::string describe_hidden();

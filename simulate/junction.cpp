@@ -29,7 +29,8 @@ Junction::Vector residual(Junction& junction, Junction::Vector& slope) {
 
 }  // namespace
 
-Junction make_junction(const VehicleModel& model, const VehicleStep& numbers, const RadauStep& step, const ContactLaw& contact) {
+Junction make_junction(const VehicleModel& model, const VehicleStep& numbers, const RadauStep& step,
+                       const ContactLaw& contact) {
     Junction junction;
     junction.contact = contact;
     junction.elements = model.nonlinear;
@@ -39,11 +40,13 @@ Junction make_junction(const VehicleModel& model, const VehicleStep& numbers, co
     const auto count = static_cast<Eigen::Index>(junction.rows.size());
     assert(2 * count <= Junction::most_unknowns);
     junction.columns.resize(model.mass.size(), count);
-    for (Eigen::Index e = 0; e < count; ++e) junction.columns.col(e) = numbers.receptance * (-junction.rows[static_cast<std::size_t>(e)]);
+    for (Eigen::Index e = 0; e < count; ++e)
+        junction.columns.col(e) = numbers.receptance * (-junction.rows[static_cast<std::size_t>(e)]);
     junction.vehicle_coupling.resize(2 * count, 2 * count);
     for (Eigen::Index e = 0; e < count; ++e)
         for (Eigen::Index f = 0; f < count; ++f) {
-            Complex c = junction.rows[static_cast<std::size_t>(e)].cast<Complex>().cwiseProduct(junction.columns.col(f)).sum();
+            Complex c =
+                junction.rows[static_cast<std::size_t>(e)].cast<Complex>().cwiseProduct(junction.columns.col(f)).sum();
             if (measures_velocity(junction, static_cast<std::size_t>(e))) c *= step.s;
             for (Eigen::Index k = 0; k < 2; ++k) {
                 const Complex driven = c * (k == 0 ? step.tau1 : step.tau2);
@@ -68,7 +71,8 @@ void set_free_vehicle(Junction& junction, const RadauStep& step, const VehicleSt
         junction.free[2 * static_cast<Eigen::Index>(e) + 1] = RadauStep::at_end(y);
     }
     // The vehicle moves about its equilibrium under P0: only P − P0 acts.
-    junction.free -= junction.vehicle_coupling.leftCols<8>() * Junction::Vector::Constant(8, junction.contact.static_load_n);
+    junction.free -=
+        junction.vehicle_coupling.leftCols<8>() * Junction::Vector::Constant(8, junction.contact.static_load_n);
 }
 
 int solve_junction(Junction& junction) {
@@ -98,7 +102,8 @@ int solve_junction(Junction& junction) {
 void apply_to_vehicle(const Junction& junction, const RadauStep& step, VehicleState& state) {
     for (Eigen::Index e = 0; e < junction.columns.cols(); ++e) {
         const double taken = e < 4 ? junction.contact.static_load_n : 0.0;
-        state.solution += step.transform(junction.force[2 * e] - taken, junction.force[2 * e + 1] - taken) * junction.columns.col(e);
+        state.solution +=
+            step.transform(junction.force[2 * e] - taken, junction.force[2 * e + 1] - taken) * junction.columns.col(e);
     }
 }
 

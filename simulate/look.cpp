@@ -12,7 +12,8 @@ Balance of_vehicle(const World& world) {
     const VehicleState& state = world.vehicle_state;
     const VehicleModel& model = world.vehicle;
     Balance balance;
-    balance.energy = 0.5 * state.velocity.dot(model.mass.cwiseProduct(state.velocity)) + 0.5 * state.displacement.dot(model.stiffness * state.displacement);
+    balance.energy = 0.5 * state.velocity.dot(model.mass.cwiseProduct(state.velocity)) +
+                     0.5 * state.displacement.dot(model.stiffness * state.displacement);
     balance.dissipation = state.velocity.dot(model.damping * state.velocity);
     for (std::size_t i = 0; i < model.maxwell.size(); ++i) {
         const MaxwellElement& element = model.maxwell[i];
@@ -25,7 +26,8 @@ Balance of_vehicle(const World& world) {
 
 Balance of_rail(const TrackWindow& track) {
     Balance balance;
-    for (std::size_t k = 0; k < track.nodes(); ++k) balance.dissipation += track.absorber_n_s_per_m[k] * track.velocity_w[k] * track.velocity_w[k];
+    for (std::size_t k = 0; k < track.nodes(); ++k)
+        balance.dissipation += track.absorber_n_s_per_m[k] * track.velocity_w[k] * track.velocity_w[k];
     const std::size_t n = track.nodes();
     for (std::size_t e = 0; e <= n; ++e) {  // element e ends at node e; beyond the last node the rail is clamped
         Eigen::Vector4d u = Eigen::Vector4d::Zero();
@@ -51,7 +53,8 @@ Balance of_seat(const TrackWindow& track, const Seat& seat, double rail_velocity
         const Oscillator& o = track.law.oscillators[r];
         const Motion& y = seat.oscillators[r];
         const double scale = r + 1 == track.law.oscillators.size() ? seat.oscillator_scale : 1.0;
-        balance.energy += 0.5 * o.mass_kg * y.velocity_m_per_s * y.velocity_m_per_s + 0.5 * scale * o.stiffness_n_per_m * y.displacement_m * y.displacement_m;
+        balance.energy += 0.5 * o.mass_kg * y.velocity_m_per_s * y.velocity_m_per_s +
+                          0.5 * scale * o.stiffness_n_per_m * y.displacement_m * y.displacement_m;
         balance.dissipation += o.damping_n_s_per_m * y.velocity_m_per_s * y.velocity_m_per_s;
         foot_velocity += y.velocity_m_per_s;
     }
@@ -72,14 +75,16 @@ Balance of_seat(const TrackWindow& track, const Seat& seat, double rail_velocity
 }  // namespace
 
 Glimpse look(const World& world, double time_s) {
-    Glimpse glimpse{.time_s = time_s, .rail_displacement_m = world.rail_displacement_m, .irregularity_m = world.irregularity_m};
+    Glimpse glimpse{
+        .time_s = time_s, .rail_displacement_m = world.rail_displacement_m, .irregularity_m = world.irregularity_m};
     const Balance vehicle = of_vehicle(world);
     const Balance rail = of_rail(world.track);
     glimpse.energy_j = vehicle.energy + rail.energy;
     glimpse.dissipation_w = vehicle.dissipation + rail.dissipation;
     for (std::size_t i = 0; i < world.track.seats.size(); ++i) {
         const Seat& seat = world.track.seats[i];
-        const Balance balance = of_seat(world.track, seat, world.track.velocity_w[i * static_cast<std::size_t>(world.track.elements_per_bay)]);
+        const Balance balance = of_seat(
+            world.track, seat, world.track.velocity_w[i * static_cast<std::size_t>(world.track.elements_per_bay)]);
         glimpse.energy_j += balance.energy;
         glimpse.dissipation_w += balance.dissipation;
         glimpse.trackbed_force_n += RadauStep::at_end(seat.force);
@@ -89,7 +94,8 @@ Glimpse look(const World& world, double time_s) {
         glimpse.contact_force_n[j] = world.junction.force[at];
         glimpse.approach_m[j] = world.junction.value[at];
         const double change = world.junction.force[at] - world.rail_reference_n;
-        glimpse.energy_j += 0.5 * change * change * (1.0 / contact_stiffness(world.junction.contact) + world.local_compliance[j]);
+        glimpse.energy_j +=
+            0.5 * change * change * (1.0 / contact_stiffness(world.junction.contact) + world.local_compliance[j]);
     }
     return glimpse;
 }

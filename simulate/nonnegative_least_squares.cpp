@@ -25,7 +25,8 @@ Eigen::VectorXd solve_free(const Eigen::MatrixXd& a, const Eigen::VectorXd& b, c
 void step_towards(Eigen::VectorXd& x, const Eigen::VectorXd& target, std::vector<bool>& is_free) {
     double fraction = 1.0;
     for (Eigen::Index j = 0; j < x.size(); ++j)
-        if (is_free[static_cast<std::size_t>(j)] && target[j] <= 0.0) fraction = std::min(fraction, x[j] / (x[j] - target[j]));
+        if (is_free[static_cast<std::size_t>(j)] && target[j] <= 0.0)
+            fraction = std::min(fraction, x[j] / (x[j] - target[j]));
     x += fraction * (target - x);
     for (Eigen::Index j = 0; j < x.size(); ++j) {
         if (!is_free[static_cast<std::size_t>(j)] || x[j] > 1e-14 * x.lpNorm<Eigen::Infinity>()) continue;
@@ -52,7 +53,8 @@ Eigen::VectorXd nonnegative_least_squares(const Eigen::MatrixXd& a, const Eigen:
         for (Eigen::Index inner = 0; inner < 2 * n; ++inner) {
             const Eigen::VectorXd target = solve_free(a, b, is_free);
             bool inside = true;
-            for (Eigen::Index j = 0; j < n; ++j) inside = inside && (!is_free[static_cast<std::size_t>(j)] || target[j] > 0.0);
+            for (Eigen::Index j = 0; j < n; ++j)
+                inside = inside && (!is_free[static_cast<std::size_t>(j)] || target[j] > 0.0);
             if (inside) {
                 x = target;
                 break;

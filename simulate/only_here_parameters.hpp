@@ -20,9 +20,11 @@ struct AxleAbsorber {
     int wheel = 0;
 };
 
-/// Play in the fastening: over this compression from the unloaded state a pad carries a tenth of its stiffness only.
+/// Play in the fastening: once a pad carries `at_load_n` beyond its unloaded state it gives by `gap_m` with a tenth of
+/// its stiffness only.
 struct PadDeadBand {
     double gap_m = 0.0;
+    double at_load_n = 20e3;
 };
 
 /// Friction in the guidance of the axle boxes that sticks harder than it slides (Stribeck):

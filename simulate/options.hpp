@@ -24,7 +24,8 @@ struct Glimpse {
     std::array<double, 4> irregularity_m;
     double energy_j;          ///< linear models only: kinetic and elastic energy of vehicle, rail, pads and contacts
     double dissipation_w;     ///< by all dampers
-    double trackbed_force_n;  ///< sum of the forces of all seats on the rail, beyond the unloaded (moving) or static (standing) state
+    double trackbed_force_n;  ///< sum of the forces of all seats on the rail, beyond the unloaded (moving) or static
+                              ///< (standing) state
 };
 
 /// How a record is made. Every default stands beside its reason.
@@ -32,14 +33,19 @@ struct Options {
     Mode mode = Mode::moving;
     double seconds = 60.0;
     double sampling_rate_hz = 1000.0;
-    double speed_m_per_s = 0.0;        ///< 0: the first speed of the case
+    double speed_m_per_s = 0.0;  ///< 0: the first speed of the case
     std::uint64_t seed = 1;
     /// Seed of the profile alone; not given: drawn from `seed`, so different records never share a profile.
     std::optional<std::uint64_t> profile_seed;
-    double profile_length_m = 0.0;     ///< period of the drawn profile; 0: as long as the record needs. To share a line between records give both
-    bool repeat_profile = false;       ///< let the profile of that length repeat: a periodic steady state, for comparisons line by line
+    double profile_length_m = 0.0;  ///< period of the drawn profile; 0: as long as the record needs. To share a line
+                                    ///< between records give both
+    bool repeat_profile =
+        false;  ///< let the profile of that length repeat: a periodic steady state, for comparisons line by line
     std::optional<MeasuredProfile> measured_profile;
-    double speed_fluctuation = 0.0;    ///< relative standard deviation of a slow wander of the speed (periods of 15 to 80 s)
+    double speed_fluctuation =
+        0.0;  ///< relative standard deviation of a slow wander of the speed (periods of 15 to 80 s)
+
+    double noise_rms_m_per_s2 = 0.0;   ///< white noise of every channel from 0.5 Hz to half the sampling rate, beside that of the case's sensors
 
     /// moving, and the case leaves the contact linear: Hertz, unless this is set.
     bool linear_contact = false;

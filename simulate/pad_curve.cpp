@@ -10,7 +10,8 @@ namespace railpem::simulate {
 
 namespace {
 
-// Compressions met in service lie well inside; 10 µm keeps the cubic's error below 1e-9 of the force for F(S) of degree 4.
+// Compressions met in service lie well inside; 10 µm keeps the cubic's error below 1e-9 of the force for F(S) of
+// degree 4.
 constexpr double lowest_m = -4e-3;
 constexpr double highest_m = 16e-3;
 constexpr double spacing_m = 10e-6;
@@ -27,7 +28,8 @@ double polynomial_slope(const std::vector<double>& coefficients, double s) {
     return value;
 }
 
-/// Slopes of the monotone cubic through points (Fritsch & Butland 1984: weighted harmonic mean inside, secant at the ends).
+/// Slopes of the monotone cubic through points (Fritsch & Butland 1984: weighted harmonic mean inside, secant at the
+/// ends).
 std::vector<double> monotone_slopes(const std::vector<double>& x, const std::vector<double>& y) {
     const std::size_t n = x.size();
     const auto secant = [&](std::size_t i) { return (y[i + 1] - y[i]) / (x[i + 1] - x[i]); };
@@ -37,7 +39,8 @@ std::vector<double> monotone_slopes(const std::vector<double>& x, const std::vec
     for (std::size_t i = 1; i + 1 < n; ++i) {
         const double before = x[i] - x[i - 1];
         const double after = x[i + 1] - x[i];
-        slope[i] = 3.0 * (before + after) / ((2.0 * after + before) / secant(i - 1) + (after + 2.0 * before) / secant(i));
+        slope[i] =
+            3.0 * (before + after) / ((2.0 * after + before) / secant(i - 1) + (after + 2.0 * before) / secant(i));
     }
     return slope;
 }
@@ -49,7 +52,8 @@ struct StaticLaw {
     double at_force(const std::vector<double>& column, double force) const {
         if (force <= force_n.front()) return column.front();
         if (force >= force_n.back()) return column.back();
-        const auto i = static_cast<std::size_t>(std::upper_bound(force_n.begin(), force_n.end(), force) - force_n.begin());
+        const auto i =
+            static_cast<std::size_t>(std::upper_bound(force_n.begin(), force_n.end(), force) - force_n.begin());
         const double share = (force - force_n[i - 1]) / (force_n[i] - force_n[i - 1]);
         return column[i - 1] + share * (column[i] - column[i - 1]);
     }
@@ -69,12 +73,16 @@ StaticLaw static_law(const track::PadParameters& pads) {
             tangent = polynomial_slope(pads.force_polynomial_n, s);
         } else {
             const std::vector<double>& x = pads.curve_compression_m;
-            const auto i = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(std::upper_bound(x.begin(), x.end(), s) - x.begin(), 1, std::ptrdiff_t(x.size()) - 1));
+            const auto i = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(
+                std::upper_bound(x.begin(), x.end(), s) - x.begin(), 1, std::ptrdiff_t(x.size()) - 1));
             const double h = x[i] - x[i - 1];
             const double t = std::clamp((s - x[i - 1]) / h, 0.0, 1.0);
             const double rise = pads.curve_force_n[i] - pads.curve_force_n[i - 1];
-            tangent = slopes[i - 1] * (1 - 4 * t + 3 * t * t) + slopes[i] * (3 * t * t - 2 * t) + 6.0 * t * (1 - t) * rise / h;
-            force = pads.curve_force_n[i - 1] + h * (slopes[i - 1] * t * (1 - t) * (1 - t) + slopes[i] * t * t * (t - 1)) + rise * t * t * (3 - 2 * t);
+            tangent = slopes[i - 1] * (1 - 4 * t + 3 * t * t) + slopes[i] * (3 * t * t - 2 * t) +
+                      6.0 * t * (1 - t) * rise / h;
+            force = pads.curve_force_n[i - 1] +
+                    h * (slopes[i - 1] * t * (1 - t) * (1 - t) + slopes[i] * t * t * (t - 1)) +
+                    rise * t * t * (3 - 2 * t);
         }
         if (!law.force_n.empty() && (force <= law.force_n.back() || tangent <= 0.0)) continue;
         law.compression_m.push_back(s);
@@ -83,7 +91,8 @@ StaticLaw static_law(const track::PadParameters& pads) {
         if (force > limit) break;
     }
     if (law.force_n.size() < 3)
-        throw parameters::ParameterError("track.pads.force_polynomial_n", "the static curve of the pad does not rise", "a force that grows with the compression");
+        throw parameters::ParameterError("track.pads.force_polynomial_n", "the static curve of the pad does not rise",
+                                         "a force that grows with the compression");
     return law;
 }
 
@@ -107,17 +116,21 @@ PadCurve integrate(const std::function<double(double)>& tangent) {
 }
 
 double unloaded_force(const track::TrackParameters& track) {
-    const double mass = track.statics.rail_weight_kg_per_m > 0.0 ? track.statics.rail_weight_kg_per_m : track.rail.mass_kg_per_m;
+    const double mass =
+        track.statics.rail_weight_kg_per_m > 0.0 ? track.statics.rail_weight_kg_per_m : track.rail.mass_kg_per_m;
     return track.statics.clip_preload_n + mass * track.statics.gravity_m_per_s2 * track.spacing_m;
 }
 
-/// The curve with a soft stretch of the given width inserted at the unloaded state, smooth over its ends.
-PadCurve with_dead_band(const PadCurve& curve, double width) {
+/// The curve with a soft stretch inserted where the play's load is reached, smooth over its ends.
+PadCurve with_dead_band(const PadCurve& curve, const PadDeadBand& play) {
+    const double width = play.gap_m;
     if (width <= 0.0) return curve;
+    const double start = curve.compression(play.at_load_n);
     constexpr double left_in_band = 0.1;
     PadCurve with = curve;
     const auto share = [&](double x) {  // of the stiffness that acts at x
-        const double blend = std::clamp(std::min(x / (0.1 * width), (width - x) / (0.1 * width)), 0.0, 1.0);
+        const double into = x - start;
+        const double blend = std::clamp(std::min(into, width - into) / (0.1 * width), 0.0, 1.0);
         return 1.0 - (1.0 - left_in_band) * blend * blend * (3.0 - 2.0 * blend);
     };
     double inner = curve.first_m;  // compression of the pad proper
@@ -132,7 +145,9 @@ PadCurve with_dead_band(const PadCurve& curve, double width) {
 
 }  // namespace
 
-bool is_nonlinear(const track::PadParameters& pads, double dead_band_m) { return pads.preload_strength > 0.0 || dead_band_m > 0.0; }
+bool is_nonlinear(const track::PadParameters& pads, const PadDeadBand& play) {
+    return pads.preload_strength > 0.0 || play.gap_m > 0.0;
+}
 
 double PadCurve::force(double x) const {
     const double place = (x - first_m) / step_m;
@@ -142,7 +157,9 @@ double PadCurve::force(double x) const {
     const auto i = static_cast<std::size_t>(place);
     const double t = place - static_cast<double>(i);
     const double rise = force_n[i + 1] - force_n[i];
-    return force_n[i] + step_m * (tangent_n_per_m[i] * t * (1 - t) * (1 - t) + tangent_n_per_m[i + 1] * t * t * (t - 1)) + rise * t * t * (3 - 2 * t);
+    return force_n[i] +
+           step_m * (tangent_n_per_m[i] * t * (1 - t) * (1 - t) + tangent_n_per_m[i + 1] * t * t * (t - 1)) +
+           rise * t * t * (3 - 2 * t);
 }
 
 double PadCurve::tangent(double x) const {
@@ -156,28 +173,35 @@ double PadCurve::compression(double force_sought) const {
     if (force_sought <= force_n.front()) return first_m + (force_sought - force_n.front()) / tangent_n_per_m.front();
     const double end = first_m + step_m * static_cast<double>(force_n.size() - 1);
     if (force_sought >= force_n.back()) return end + (force_sought - force_n.back()) / tangent_n_per_m.back();
-    const auto i = static_cast<std::size_t>(std::upper_bound(force_n.begin(), force_n.end(), force_sought) - force_n.begin());
-    double x = first_m + step_m * (static_cast<double>(i - 1) + (force_sought - force_n[i - 1]) / (force_n[i] - force_n[i - 1]));
+    const auto i =
+        static_cast<std::size_t>(std::upper_bound(force_n.begin(), force_n.end(), force_sought) - force_n.begin());
+    double x = first_m +
+               step_m * (static_cast<double>(i - 1) + (force_sought - force_n[i - 1]) / (force_n[i] - force_n[i - 1]));
     for (int pass = 0; pass < 3; ++pass) x += (force_sought - force(x)) / tangent(x);
     return x;
 }
 
-PadCurve static_curve(const track::TrackParameters& track, double dead_band_m) {
+PadCurve static_curve(const track::TrackParameters& track, const PadDeadBand& play) {
     const track::PadParameters& pads = track.pads;
-    if (pads.preload_strength <= 0.0) return with_dead_band(integrate([&](double) { return pads.static_stiffness_n_per_m; }), dead_band_m);
+    if (pads.preload_strength <= 0.0)
+        return with_dead_band(integrate([&](double) { return pads.static_stiffness_n_per_m; }), play);
     const StaticLaw law = static_law(pads);
     const double unloaded = unloaded_force(track);
-    return with_dead_band(integrate([&](double force) { return law.tangent(unloaded + force); }), dead_band_m);
+    return with_dead_band(integrate([&](double force) { return law.tangent(unloaded + force); }), play);
 }
 
-PadCurve dynamic_curve(const track::TrackParameters& track, double dead_band_m) {
+PadCurve dynamic_curve(const track::TrackParameters& track, const PadDeadBand& play) {
     const track::PadParameters& pads = track.pads;
     const double ratio = pads.dynamic_to_static_ratio;
     const double s = pads.preload_strength;
-    if (s <= 0.0) return with_dead_band(integrate([&](double) { return ratio * pads.static_stiffness_n_per_m; }), dead_band_m);
+    if (s <= 0.0) return with_dead_band(integrate([&](double) { return ratio * pads.static_stiffness_n_per_m; }), play);
     const StaticLaw law = static_law(pads);
     const double unloaded = unloaded_force(track);
-    return with_dead_band(integrate([&](double force) { return ratio * ((1.0 - s) * pads.static_stiffness_n_per_m + s * law.tangent(unloaded + force)); }), dead_band_m);
+    return with_dead_band(integrate([&](double force) {
+                              return ratio *
+                                     ((1.0 - s) * pads.static_stiffness_n_per_m + s * law.tangent(unloaded + force));
+                          }),
+                          play);
 }
 
 }  // namespace railpem::simulate

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "simulate/only_here_parameters.hpp"
 #include "track/track_parameters.hpp"
 
 namespace railpem::simulate {
@@ -14,21 +15,21 @@ struct PadCurve {
     std::vector<double> force_n;  ///< at first + i·step
     std::vector<double> tangent_n_per_m;
 
-    double force(double x) const;    ///< cubic between the points, so force and tangent are continuous
+    double force(double x) const;  ///< cubic between the points, so force and tangent are continuous
     double tangent(double x) const;
     double compression(double force) const;  ///< the inverse
 };
 
-/// Static curve F(S) about the unloaded compression S0, F(S0) = clip preload + weight of one bay of rail. Linear with the
-/// secant stiffness where the case gives no curve or takes no account of it (preload_strength = 0).
-/// `dead_band_m`: over this compression from the unloaded state the pad carries a tenth of its stiffness only.
-PadCurve static_curve(const track::TrackParameters& track, double dead_band_m);
+/// Static curve F(S) about the unloaded compression S0, F(S0) = clip preload + weight of one bay of rail. Linear with
+/// the secant stiffness where the case gives no curve or takes no account of it (preload_strength = 0). `play`: stretch
+/// over which the pad carries a tenth of its stiffness only; none when its gap is 0.
+PadCurve static_curve(const track::TrackParameters& track, const PadDeadBand& play);
 
 /// Curve for vibration and passing wheels. Its tangent is ratio·[(1 − s)·K_secant + s·K(S)] at the compression S that
 /// carries the same load statically: a pad is as stiff as its preload makes it, however fast the preload came.
-PadCurve dynamic_curve(const track::TrackParameters& track, double dead_band_m);
+PadCurve dynamic_curve(const track::TrackParameters& track, const PadDeadBand& play);
 
 /// True when the pad's tangent depends on its load.
-bool is_nonlinear(const track::PadParameters& pads, double dead_band_m);
+bool is_nonlinear(const track::PadParameters& pads, const PadDeadBand& play);
 
 }  // namespace railpem::simulate

@@ -34,19 +34,21 @@ double patch_factor(double half_length, double cycles_per_m) {
     return argument < 1e-9 ? 1.0 : std::sin(argument) / argument;
 }
 
-void add_gaussian(Spectrum& amplitude, const spectra::IrregularityParameters& irregularity, const ProfileRequest& request, double length) {
+void add_gaussian(Spectrum& amplitude, const spectra::IrregularityParameters& irregularity,
+                  const ProfileRequest& request, double length) {
     const double highest = 1.0 / request.shortest_wavelength_m;
     for (std::size_t k = 1; k + 1 < amplitude.size(); ++k) {
         const double n = static_cast<double>(k) / length;
         if (n > highest) break;
         const auto [a, b] = normal_pair_at(request.seed, k);
         // E|c|² = S/(2·length) for h = Σ 2·Re(c·e^{i2πnx}), so that the one-sided spectrum is S.
-        amplitude[k] += std::sqrt(spectra::irregularity_psd_m3(irregularity, n) / (4.0 * length)) * std::complex<double>(a, b);
+        amplitude[k] +=
+            std::sqrt(spectra::irregularity_psd_m3(irregularity, n) / (4.0 * length)) * std::complex<double>(a, b);
     }
 }
 
-/// Line spectrum of raised-cosine dips at a regular distance: coefficients c_m = (1/spacing)·∫ dip·e^{−i2πmx/spacing} dx.
-/// The dips keep their own spacing; on a periodic profile it is rounded so that a whole number fits.
+/// Line spectrum of raised-cosine dips at a regular distance: coefficients c_m = (1/spacing)·∫ dip·e^{−i2πmx/spacing}
+/// dx. The dips keep their own spacing; on a periodic profile it is rounded so that a whole number fits.
 void add_joints(Spectrum& amplitude, const spectra::RailJoints& joints, const ProfileRequest& request, double length) {
     const auto count = static_cast<std::size_t>(std::max(1.0, std::round(length / joints.spacing_m)));
     const double spacing = length / static_cast<double>(count);
@@ -57,17 +59,23 @@ void add_joints(Spectrum& amplitude, const spectra::RailJoints& joints, const Pr
         const double u = n * joints.length_m;
         // ∫ −h/2·(1 + cos(2πx/l))·cos(2πnx) dx over the dip = −(h·l/2)·sinc(u)/(1 − u²), and −h·l/4 at u = 1.
         const double sinc = std::sin(pi * u) / (pi * u);
-        const double integral = std::abs(1.0 - u * u) < 1e-6 ? -0.25 * joints.depth_m * joints.length_m : -0.5 * joints.depth_m * joints.length_m * sinc / (1.0 - u * u);
+        const double integral = std::abs(1.0 - u * u) < 1e-6
+                                    ? -0.25 * joints.depth_m * joints.length_m
+                                    : -0.5 * joints.depth_m * joints.length_m * sinc / (1.0 - u * u);
         amplitude[m * count] += integral / spacing * std::polar(1.0, -2.0 * pi * n * phase);
     }
 }
 
 Profile synthesise(Spectrum& amplitude, double length, std::size_t points, const ProfileRequest& request) {
     for (std::size_t k = 0; k < amplitude.size(); ++k)
-        amplitude[k] *= patch_factor(request.patch_half_length_m, static_cast<double>(k) / length) * static_cast<double>(points);
+        amplitude[k] *=
+            patch_factor(request.patch_half_length_m, static_cast<double>(k) / length) * static_cast<double>(points);
     Eigen::FFT<double> transform;
     transform.SetFlag(Eigen::FFT<double>::HalfSpectrum);
-    Profile profile{.first_m = 0.0, .step_m = length / static_cast<double>(points), .height_m = std::vector<double>(points), .periodic = true};
+    Profile profile{.first_m = 0.0,
+                    .step_m = length / static_cast<double>(points),
+                    .height_m = std::vector<double>(points),
+                    .periodic = true};
     transform.inv(profile.height_m, amplitude, static_cast<Eigen::Index>(points));
     return profile;
 }
@@ -92,7 +100,10 @@ double Profile::at(double position_m) const {
 Profile draw_profile(const spectra::IrregularityParameters& irregularity, const ProfileRequest& request) {
     const double stretch = request.to_m - request.from_m;
     if (request.length_m > 0.0 && request.length_m < stretch && !request.may_repeat)
-        throw parameters::ParameterError("profile_length_m", fmt::format("{:g} m of profile for {:g} m of line: it would repeat", request.length_m, stretch), fmt::format("at least {:g} m", stretch));
+        throw parameters::ParameterError(
+            "profile_length_m",
+            fmt::format("{:g} m of profile for {:g} m of line: it would repeat", request.length_m, stretch),
+            fmt::format("at least {:g} m", stretch));
     const double length = request.length_m > 0.0 ? request.length_m : stretch;
     const std::size_t points = power_of_two_above(points_per_wave * length / request.shortest_wavelength_m);
     Spectrum amplitude(points / 2 + 1);
@@ -102,14 +113,22 @@ Profile draw_profile(const spectra::IrregularityParameters& irregularity, const 
 }
 
 Profile resample_profile(const MeasuredProfile& measured, const ProfileRequest& request) {
-    if (measured.position_m.size() < 2 || measured.position_m.front() > request.from_m || measured.position_m.back() < request.to_m)
-        throw parameters::ParameterError("irregularity", fmt::format("the measured profile does not cover {:g} to {:g} m", request.from_m, request.to_m), "a longer profile or a shorter record");
+    if (measured.position_m.size() < 2 || measured.position_m.front() > request.from_m ||
+        measured.position_m.back() < request.to_m)
+        throw parameters::ParameterError(
+            "irregularity",
+            fmt::format("the measured profile does not cover {:g} to {:g} m", request.from_m, request.to_m),
+            "a longer profile or a shorter record");
     const double length = request.to_m - request.from_m;
     const std::size_t points = power_of_two_above(points_per_wave * length / request.shortest_wavelength_m);
-    Profile profile{.first_m = request.from_m, .step_m = length / static_cast<double>(points - 1), .height_m = std::vector<double>(points), .periodic = false};
+    Profile profile{.first_m = request.from_m,
+                    .step_m = length / static_cast<double>(points - 1),
+                    .height_m = std::vector<double>(points),
+                    .periodic = false};
     const std::vector<double>& x = measured.position_m;
     const auto height = [&](double at) {
-        const auto above = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(std::upper_bound(x.begin(), x.end(), at) - x.begin(), 1, static_cast<std::ptrdiff_t>(x.size()) - 1));
+        const auto above = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(
+            std::upper_bound(x.begin(), x.end(), at) - x.begin(), 1, static_cast<std::ptrdiff_t>(x.size()) - 1));
         const double share = std::clamp((at - x[above - 1]) / (x[above] - x[above - 1]), 0.0, 1.0);
         return measured.height_m[above - 1] + share * (measured.height_m[above] - measured.height_m[above - 1]);
     };

@@ -23,23 +23,23 @@ struct MeasuredProfile {
 };
 
 struct ProfileRequest {
-    double from_m = 0.0, to_m = 0.0;     ///< stretch that the wheels will meet
-    double length_m = 0.0;               ///< period of the drawn profile; 0: the next that holds the stretch
+    double from_m = 0.0, to_m = 0.0;  ///< stretch that the wheels will meet
+    double length_m = 0.0;            ///< period of the drawn profile; 0: the next that holds the stretch
     bool may_repeat = false;
     double shortest_wavelength_m = 0.0;  ///< shorter waves are left out (the integrator could not follow them)
     double patch_half_length_m = 0.0;    ///< moving average over twice this length; 0: none
     std::uint64_t seed = 1;
 };
 
-/// Gaussian profile with the case's spectrum: every spatial frequency k/length up to 1/shortest gets an independent complex
-/// normal amplitude of variance S(n)/length, drawn by seed and k alone. Two requests with equal seed and length are therefore
-/// the same line at any speed. Joints are added at their spacing from a drawn phase; then the contact patch averages.
-/// Non-repeating within the length, which is at least the stretch asked for.
-/// Throws parameters::ParameterError when `length_m` is shorter than the stretch.
+/// Gaussian profile with the case's spectrum: every spatial frequency k/length up to 1/shortest gets an independent
+/// complex normal amplitude of variance S(n)/length, drawn by seed and k alone. Two requests with equal seed and length
+/// are therefore the same line at any speed. Joints are added at their spacing from a drawn phase; then the contact
+/// patch averages. Non-repeating within the length, which is at least the stretch asked for. Throws
+/// parameters::ParameterError when `length_m` is shorter than the stretch.
 Profile draw_profile(const spectra::IrregularityParameters& irregularity, const ProfileRequest& request);
 
-/// The same from measured heights, interpolated, with the patch average. Throws parameters::ParameterError when they do not
-/// cover the stretch.
+/// The same from measured heights, interpolated, with the patch average. Throws parameters::ParameterError when they do
+/// not cover the stretch.
 Profile resample_profile(const MeasuredProfile& measured, const ProfileRequest& request);
 
 /// Standard deviation of the heights between two positions, m.

@@ -31,6 +31,8 @@ std::pair<double, double> normal_pair_at(std::uint64_t seed, std::uint64_t count
     return {radius * std::cos(angle), radius * std::sin(angle)};
 }
 
-std::uint64_t derived_seed(std::uint64_t seed, std::uint64_t purpose) { return bits_at(seed ^ 0xa0761d6478bd642fULL, purpose); }
+std::uint64_t derived_seed(std::uint64_t seed, std::uint64_t purpose) {
+    return bits_at(seed ^ 0xa0761d6478bd642fULL, purpose);
+}
 
 }  // namespace railpem::simulate

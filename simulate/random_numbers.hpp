@@ -6,8 +6,8 @@
 namespace railpem::simulate {
 
 /// Counter-based random numbers: the value depends on seed and counter only, so draws can be made in any order and the
-/// same seed gives identical bits on every machine. SplitMix64's finaliser over a mixed counter (Steele, Lea & Flood 2014,
-/// OOPSLA).
+/// same seed gives identical bits on every machine. SplitMix64's finaliser over a mixed counter (Steele, Lea & Flood
+/// 2014, OOPSLA).
 std::uint64_t bits_at(std::uint64_t seed, std::uint64_t counter);
 
 /// Uniform in (0, 1).

@@ -8,7 +8,8 @@
 namespace railpem::simulate {
 
 const std::vector<std::string>& channel_names() {
-    static const std::vector<std::string> names{"axlebox_1", "axlebox_2", "axlebox_3", "axlebox_4", "bogie_1", "bogie_2", "body_front", "body_rear", "body_centre"};
+    static const std::vector<std::string> names{"axlebox_1", "axlebox_2",  "axlebox_3", "axlebox_4",  "bogie_1",
+                                                "bogie_2",   "body_front", "body_rear", "body_centre"};
     return names;
 }
 
@@ -23,7 +24,8 @@ void write_csv(std::ostream& out, const Recording& recording) {
     row.push_back('\n');
     for (std::size_t i = 0; i < recording.samples(); ++i) {
         fmt::format_to(std::back_inserter(row), "{:.9g}", static_cast<double>(i) / recording.sampling_rate_hz);
-        for (const Channel& channel : recording.channels) fmt::format_to(std::back_inserter(row), ",{:.7g}", channel.acceleration_m_per_s2[i]);
+        for (const Channel& channel : recording.channels)
+            fmt::format_to(std::back_inserter(row), ",{:.7g}", channel.acceleration_m_per_s2[i]);
         row.push_back('\n');
         if (row.size() > 1 << 16) flush();
     }
@@ -31,11 +33,16 @@ void write_csv(std::ostream& out, const Recording& recording) {
 }
 
 std::string description(const Recording& recording, const std::string& data) {
-    std::string text = fmt::format("kind = \"timeseries\"\nsampling_rate_hz = {:.10g}\nspeed_m_per_s = {:.10g}\n", recording.sampling_rate_hz, recording.speed_m_per_s);
-    if (recording.speed_standard_error_m_per_s > 0.0) text += fmt::format("speed_standard_error_m_per_s = {:.6g}\n", recording.speed_standard_error_m_per_s);
+    std::string text = fmt::format("kind = \"timeseries\"\nsampling_rate_hz = {:.10g}\nspeed_m_per_s = {:.10g}\n",
+                                   recording.sampling_rate_hz, recording.speed_m_per_s);
+    if (recording.speed_standard_error_m_per_s > 0.0)
+        text += fmt::format("speed_standard_error_m_per_s = {:.6g}\n", recording.speed_standard_error_m_per_s);
     text += fmt::format("payload_kg = {:.10g}\ndata = \"{}\"\n", recording.payload_kg, data);
     for (const Channel& channel : recording.channels) {
-        text += fmt::format("\n[[channel]]\nname = \"{0}\"\ncolumn = \"{0}\"\nquantity = \"acceleration\"\nunit = \"m/s^2\"\nlocation = \"{1}\"\n", channel.name, channel.location);
+        text += fmt::format(
+            "\n[[channel]]\nname = \"{0}\"\ncolumn = \"{0}\"\nquantity = \"acceleration\"\nunit = \"m/s^2\"\nlocation "
+            "= \"{1}\"\n",
+            channel.name, channel.location);
         if (channel.index > 0)
             text += fmt::format("index = {}\n", channel.index);
         else

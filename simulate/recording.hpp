@@ -19,13 +19,13 @@ struct Channel {
 /// What happened while the record was made: for the user's eyes and the truth file, not part of the recording.
 struct Making {
     double step_s = 0.0;
-    double profile_rms_m = 0.0;          ///< of the irregularity met during the record
-    double profile_length_m = 0.0;       ///< it does not repeat within this
+    double profile_rms_m = 0.0;     ///< of the irregularity met during the record
+    double profile_length_m = 0.0;  ///< it does not repeat within this
     double shortest_wavelength_m = 0.0;
-    double chain_error = 0.0;            ///< of the pads' relaxation chain against the law, 1 to 400 Hz
-    double contact_lost_share = 0.0;     ///< share of wheel time without contact
+    double chain_error = 0.0;         ///< of the pads' relaxation chain against the law, 1 to 400 Hz
+    double contact_lost_share = 0.0;  ///< share of wheel time without contact
     double solves_per_step = 0.0;
-    double seconds_per_second = 0.0;     ///< computing time per second of record
+    double seconds_per_second = 0.0;  ///< computing time per second of record
 };
 
 struct Recording {
@@ -42,7 +42,8 @@ struct Recording {
 /// Names in the order of the columns.
 const std::vector<std::string>& channel_names();
 
-/// CSV: `time_s` and the channels, one row per sample, seven significant digits (two below the least noise of a sensor).
+/// CSV: `time_s` and the channels, one row per sample, seven significant digits (two below the least noise of a
+/// sensor).
 void write_csv(std::ostream& out, const Recording& recording);
 
 /// The description that goes with it, TOML; `data`: name of the file with the samples.

@@ -69,7 +69,9 @@ RelaxationChain fit_chain(const std::function<Complex(double)>& modulus) {
         const Complex law = modulus(f);
         for (Eigen::Index j = 0; j <= branches; ++j) {
             const Complex s(0.0, 2.0 * pi * f);
-            const Complex branch = j == 0 ? Complex(1.0) : s * times[static_cast<std::size_t>(j - 1)] / (1.0 + s * times[static_cast<std::size_t>(j - 1)]);
+            const Complex branch = j == 0 ? Complex(1.0)
+                                          : s * times[static_cast<std::size_t>(j - 1)] /
+                                                (1.0 + s * times[static_cast<std::size_t>(j - 1)]);
             a(2 * i, j) = (branch / law).real();
             a(2 * i + 1, j) = (branch / law).imag();
         }
@@ -97,7 +99,8 @@ std::function<Complex(double)> pad_modulus(const track::PadParameters& pads) {
         };
     const double loss_exponent = 2.0 / pi * std::atan(pads.loss_factor);
     return [pads, loss_exponent](double f) {
-        const double storage = std::pow(f / pads.reference_frequency_hz, pads.exponent) * std::pow(f / pads.loss_reference_hz, loss_exponent);
+        const double storage = std::pow(f / pads.reference_frequency_hz, pads.exponent) *
+                               std::pow(f / pads.loss_reference_hz, loss_exponent);
         return storage * Complex(1.0, std::tan(0.5 * pi * pads.exponent)) * Complex(1.0, pads.loss_factor);
     };
 }

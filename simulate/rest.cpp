@@ -33,7 +33,8 @@ SeatRest seat_rest(const TrackWindow& track, const Seat& seat, const PadCurve& c
     const double gain = seat.share * modulus;
     double x = -w / (1.0 + compliance * gain * curve.tangent(0.0));
     for (int pass = 0; pass < 40; ++pass) {
-        const double change = (x + w + compliance * gain * curve.force(x)) / (1.0 + compliance * gain * curve.tangent(x));
+        const double change =
+            (x + w + compliance * gain * curve.force(x)) / (1.0 + compliance * gain * curve.tangent(x));
         x -= change;
         if (std::abs(change) < 1e-15) break;
     }
@@ -52,14 +53,16 @@ Sparse rail_stiffness(const TrackWindow& track, const Section& section) {
             for (Eigen::Index j = 0; j < 4; ++j) {
                 const Eigen::Index row = 2 * e + i;
                 const Eigen::Index column = 2 * e + j;
-                if (std::min(row, column) >= 0 && std::max(row, column) < 2 * n) entries.emplace_back(row, column, k(i, j));
+                if (std::min(row, column) >= 0 && std::max(row, column) < 2 * n)
+                    entries.emplace_back(row, column, k(i, j));
             }
     Sparse matrix(2 * n, 2 * n);
     matrix.setFromTriplets(entries.begin(), entries.end());
     return matrix;
 }
 
-Eigen::VectorXd load_vector(const TrackWindow& track, const Section& section, const std::vector<double>& position_m, double load_n) {
+Eigen::VectorXd load_vector(const TrackWindow& track, const Section& section, const std::vector<double>& position_m,
+                            double load_n) {
     Eigen::VectorXd load = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(track.nodes()));
     for (const double position : position_m) {
         const double place = position - static_cast<double>(track.first_seat) * track.spacing_m;
@@ -72,7 +75,8 @@ Eigen::VectorXd load_vector(const TrackWindow& track, const Section& section, co
 
 }  // namespace
 
-Rest find_rest(const TrackWindow& track, const Section& section, const PadCurve& curve, double modulus, const std::vector<double>& position_m, double load_n) {
+Rest find_rest(const TrackWindow& track, const Section& section, const PadCurve& curve, double modulus,
+               const std::vector<double>& position_m, double load_n) {
     const Sparse rail = rail_stiffness(track, section);
     const Eigen::VectorXd load = load_vector(track, section, position_m, load_n);
     Eigen::VectorXd u = Eigen::VectorXd::Zero(load.size());
@@ -97,7 +101,8 @@ Rest find_rest(const TrackWindow& track, const Section& section, const PadCurve&
         u += solver.solve(unbalanced);
     }
     if (!(rest.residual_n < 1e-6 * std::max(1.0, load_n)))
-        throw parameters::ParameterError("track.pads", "the pads find no equilibrium under the wheels", "a static curve that carries the wheel load");
+        throw parameters::ParameterError("track.pads", "the pads find no equilibrium under the wheels",
+                                         "a static curve that carries the wheel load");
     for (std::size_t k = 0; k < track.nodes(); ++k) {
         rest.w.push_back(u[2 * static_cast<Eigen::Index>(k)]);
         rest.theta.push_back(u[2 * static_cast<Eigen::Index>(k) + 1]);
@@ -122,12 +127,14 @@ void start_moving(TrackWindow& track, const PadCurve& curve, const std::vector<d
             seat.branch_force_n[b] = chain.time_s[b] > passage_s ? 0.0 : curve.force(rest.compression_m[i]);
         for (std::size_t r = 0; r < track.law.oscillators.size(); ++r) {
             const double scale = r + 1 == track.law.oscillators.size() ? seat.oscillator_scale : 1.0;
-            seat.oscillators[r].displacement_m = -rest.force_n[i] / (scale * track.law.oscillators[r].stiffness_n_per_m);
+            seat.oscillators[r].displacement_m =
+                -rest.force_n[i] / (scale * track.law.oscillators[r].stiffness_n_per_m);
         }
     }
 }
 
-void start_standing(TrackWindow& track, const RadauStep& step, const Section& static_section, const PadCurve& static_curve, const std::vector<double>& position_m, double load_n) {
+void start_standing(TrackWindow& track, const RadauStep& step, const Section& static_section,
+                    const PadCurve& static_curve, const std::vector<double>& position_m, double load_n) {
     const Rest rest = find_rest(track, static_section, static_curve, 1.0, position_m, load_n);
     for (std::size_t i = 0; i < track.seats.size(); ++i) {
         Seat& seat = track.seats[i];

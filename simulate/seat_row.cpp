@@ -27,12 +27,14 @@ Seat fresh_seat(const SeatLaw& law) {
 }
 
 void set_stiffness(Seat& seat, const SeatLaw& law, const SeatStep& numbers, const RadauStep& step) {
-    const Complex pad = seat.share * (numbers.modulus * seat.reference_stiffness_n_per_m + law.dashpot_n_s_per_m * step.s);
+    const Complex pad =
+        seat.share * (numbers.modulus * seat.reference_stiffness_n_per_m + law.dashpot_n_s_per_m * step.s);
     Complex foot = 0.0;  // receptance of the foot
     for (std::size_t r = 0; r < law.oscillators.size(); ++r) {
         const Oscillator& o = law.oscillators[r];
         const double scale = r + 1 == law.oscillators.size() ? seat.oscillator_scale : 1.0;
-        seat.oscillator_receptance[r] = 1.0 / (o.mass_kg * step.s * step.s + o.damping_n_s_per_m * step.s + o.stiffness_n_per_m * scale);
+        seat.oscillator_receptance[r] =
+            1.0 / (o.mass_kg * step.s * step.s + o.damping_n_s_per_m * step.s + o.stiffness_n_per_m * scale);
         foot += seat.oscillator_receptance[r];
     }
     seat.softening = 1.0 / (1.0 + pad * foot);
@@ -43,13 +45,15 @@ void set_stiffness(Seat& seat, const SeatLaw& law, const SeatStep& numbers, cons
 void begin_step(Seat& seat, const SeatLaw& law, const SeatStep& numbers, const RadauStep& step) {
     // Pad: −c·s·1̂·x − Σ strength·sτ/(1 + sτ)·1̂·h; oscillators: 1̂·s·[m(s·y + ẏ) + c·y].
     Complex pad = -product(law.dashpot_n_s_per_m * seat.compression_m * step.s, step.one);
-    for (std::size_t b = 0; b < seat.branch_force_n.size(); ++b) pad -= numbers.branch_weight[b] * seat.branch_force_n[b];
+    for (std::size_t b = 0; b < seat.branch_force_n.size(); ++b)
+        pad -= numbers.branch_weight[b] * seat.branch_force_n[b];
     Complex foot = 0.0;
     const Complex scale = product(step.one, step.s);
     for (std::size_t r = 0; r < law.oscillators.size(); ++r) {
         const Oscillator& o = law.oscillators[r];
         const Motion& y = seat.oscillators[r];
-        const Complex momentum = step.s * (o.mass_kg * y.displacement_m) + (o.mass_kg * y.velocity_m_per_s + o.damping_n_s_per_m * y.displacement_m);
+        const Complex momentum = step.s * (o.mass_kg * y.displacement_m) +
+                                 (o.mass_kg * y.velocity_m_per_s + o.damping_n_s_per_m * y.displacement_m);
         seat.oscillator_history[r] = product(scale, momentum);
         foot += product(seat.oscillator_history[r], seat.oscillator_receptance[r]);
     }
@@ -60,7 +64,8 @@ void begin_step(Seat& seat, const SeatLaw& law, const SeatStep& numbers, const R
 double respond(Seat& seat, const SeatLaw& law, const RadauStep& step, Complex rail) {
     seat.force = applied_force(seat) - product(seat.condensed_stiffness, rail);
     Complex foot = 0.0;
-    for (std::size_t r = 0; r < law.oscillators.size(); ++r) foot += product(seat.oscillator_history[r] - seat.force, seat.oscillator_receptance[r]);
+    for (std::size_t r = 0; r < law.oscillators.size(); ++r)
+        foot += product(seat.oscillator_history[r] - seat.force, seat.oscillator_receptance[r]);
     seat.compression = foot - rail;
     if (!law.nonlinear) return 0.0;
     const double x1 = step.at_first(seat.compression);
@@ -77,7 +82,8 @@ double respond(Seat& seat, const SeatLaw& law, const RadauStep& step, Complex ra
 void finish_step(Seat& seat, const SeatLaw& law, const SeatStep& numbers, const RadauStep& step) {
     const Complex elastic = seat.reference_stiffness_n_per_m * seat.compression + seat.residual;
     for (std::size_t b = 0; b < seat.branch_force_n.size(); ++b)
-        seat.branch_force_n[b] = RadauStep::at_end(numbers.branch_old[b] * seat.branch_force_n[b] + product(numbers.branch_new[b], elastic));
+        seat.branch_force_n[b] =
+            RadauStep::at_end(numbers.branch_old[b] * seat.branch_force_n[b] + product(numbers.branch_new[b], elastic));
     for (std::size_t r = 0; r < law.oscillators.size(); ++r) {
         const Complex y = product(seat.oscillator_history[r] - seat.force, seat.oscillator_receptance[r]);
         const Complex velocity = step.derivative(y, seat.oscillators[r].displacement_m);

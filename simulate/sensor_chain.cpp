@@ -67,7 +67,8 @@ ChannelFilter make_filter(const pem::SensorParameters& sensor, double sampling_r
     const double delay_steps = sensor.delay_s * rate;
     const int whole = static_cast<int>(std::floor(delay_steps));
     const int ringing = ring_down(sensor, rate);
-    // The fraction of a step and the resonance act on the spectrum; a margin keeps the fractional shift from wrapping round.
+    // The fraction of a step and the resonance act on the spectrum; a margin keeps the fractional shift from wrapping
+    // round.
     const int margin = delay_steps == whole ? 0 : half;
     const int length = 2 * half + 1 + ringing + 2 * margin;
     std::size_t points = 64;
@@ -105,7 +106,8 @@ double FilteredChannel::output() const {
     return sum;
 }
 
-std::vector<double> draw_noise(const pem::SensorParameters& sensor, std::size_t samples, double sampling_rate_hz, std::uint64_t seed) {
+std::vector<double> draw_noise(const pem::SensorParameters& sensor, std::size_t samples, double sampling_rate_hz,
+                               std::uint64_t seed) {
     std::size_t points = 64;
     while (points < samples) points *= 2;
     Spectrum spectrum(points / 2 + 1);

@@ -18,20 +18,29 @@ using parameters::ParameterError;
 
 namespace {
 
-constexpr std::uint64_t for_noise = 100;  // purpose of derived seeds, one per channel
+constexpr std::uint64_t for_noise = 100;        // purpose of derived seeds, one per channel
+constexpr std::uint64_t for_noise_floor = 200;  // the same for the floor that all channels have
 
 void refuse(const pem::CaseParameters& parameters, const Options& options) {
     // A Hann window resolves what lies two lines above zero: the record must hold two periods of the lowest frequency.
     const double shortest = 2.0 / parameters.frequency.from_hz;
     if (!(options.seconds >= shortest))
-        throw ParameterError("--seconds", fmt::format("{:g} s is too short for a single average at {:g} Hz, the case's lowest frequency", options.seconds, parameters.frequency.from_hz), fmt::format("at least {:g} s", shortest));
+        throw ParameterError(
+            "--seconds",
+            fmt::format("{:g} s is too short for a single average at {:g} Hz, the case's lowest frequency",
+                        options.seconds, parameters.frequency.from_hz),
+            fmt::format("at least {:g} s", shortest));
     const double lowest_rate = 2.0 * parameters.frequency.to_hz;
     if (!(options.sampling_rate_hz >= lowest_rate))
-        throw ParameterError("--sampling-rate", fmt::format("{:g} Hz cannot show the case's highest frequency, {:g} Hz", options.sampling_rate_hz, parameters.frequency.to_hz), fmt::format("at least {:g} Hz", lowest_rate));
+        throw ParameterError("--rate",
+                             fmt::format("{:g} Hz cannot show the case's highest frequency, {:g} Hz",
+                                         options.sampling_rate_hz, parameters.frequency.to_hz),
+                             fmt::format("at least {:g} Hz", lowest_rate));
     const std::vector<std::string>& names = channel_names();
     for (const pem::SensorParameters& sensor : parameters.sensors)
         if (std::find(names.begin(), names.end(), sensor.channel) == names.end())
-            throw ParameterError("sensor.channel", fmt::format("no channel \"{}\"", sensor.channel), fmt::format("{}", fmt::join(names, ", ")));
+            throw ParameterError("sensor.channel", fmt::format("no channel \"{}\"", sensor.channel),
+                                 fmt::format("{}", fmt::join(names, ", ")));
 }
 
 /// One sensor per channel: those of the case chained where several speak of the same channel.
@@ -61,7 +70,9 @@ std::vector<Channel> empty_channels(const pem::CaseParameters& parameters, std::
     const double pivot = 0.5 * parameters.vehicle.bogie_distance_m;
     std::vector<Channel> channels;
     for (std::size_t i = 0; i < channel_names().size(); ++i) {
-        Channel channel{.name = channel_names()[i], .location = i < 4 ? "wheel" : (i < 6 ? "bogie" : "body"), .acceleration_m_per_s2 = {}};
+        Channel channel{.name = channel_names()[i],
+                        .location = i < 4 ? "wheel" : (i < 6 ? "bogie" : "body"),
+                        .acceleration_m_per_s2 = {}};
         if (i < 6) channel.index = static_cast<int>(i < 4 ? i + 1 : i - 3);
         if (i == 6 || i == 7) channel.position_m = i == 6 ? pivot : -pivot;
         channel.acceleration_m_per_s2.reserve(samples);
@@ -70,7 +81,8 @@ std::vector<Channel> empty_channels(const pem::CaseParameters& parameters, std::
     return channels;
 }
 
-/// When the march begins and ends so that settling, filters and delays have all they need, in steps from the first sample.
+/// When the march begins and ends so that settling, filters and delays have all they need, in steps from the first
+/// sample.
 struct Schedule {
     int ratio = 1;  ///< steps per sample
     double step_s = 0.0;
@@ -92,12 +104,18 @@ Schedule make_schedule(const Options& options, const std::vector<FilteredChannel
     return schedule;
 }
 
-void add_noise(Recording& recording, const std::vector<pem::SensorParameters>& sensors, std::uint64_t seed) {
-    for (std::size_t c = 0; c < sensors.size(); ++c) {
-        if (sensors[c].noise_rms_m_per_s2 <= 0.0) continue;
+/// The noise of the sensors that the case names, and the white floor of every channel; independent of one another.
+void add_noise(Recording& recording, const std::vector<pem::SensorParameters>& sensors, const Options& options) {
+    const auto add = [&](std::size_t c, const pem::SensorParameters& sensor, std::uint64_t purpose) {
+        if (sensor.noise_rms_m_per_s2 <= 0.0) return;
         std::vector<double>& samples = recording.channels[c].acceleration_m_per_s2;
-        const std::vector<double> noise = draw_noise(sensors[c], samples.size(), recording.sampling_rate_hz, derived_seed(seed, for_noise + c));
+        const std::vector<double> noise =
+            draw_noise(sensor, samples.size(), recording.sampling_rate_hz, derived_seed(options.seed, purpose + c));
         for (std::size_t i = 0; i < samples.size(); ++i) samples[i] += noise[i];
+    };
+    for (std::size_t c = 0; c < sensors.size(); ++c) {
+        add(c, sensors[c], for_noise);
+        add(c, {.channel = sensors[c].channel, .noise_rms_m_per_s2 = options.noise_rms_m_per_s2}, for_noise_floor);
     }
 }
 
@@ -114,13 +132,16 @@ void add_passing(Excitation& excitation, const World& world, const pem::CasePara
         for (const double value : deflection[j]) mean += value / places;
         for (double& value : deflection[j]) value = -excess * (value - mean);
         // Tables begin with wheel 1 over a seat; the distance 0 finds it wheel_offset ahead of one.
-        std::rotate(deflection[j].begin(), deflection[j].begin() + static_cast<std::ptrdiff_t>(std::floor(phase * places)) % places, deflection[j].end());
+        std::rotate(deflection[j].begin(),
+                    deflection[j].begin() + static_cast<std::ptrdiff_t>(std::floor(phase * places)) % places,
+                    deflection[j].end());
         excitation.passing_m[j] = deflection[j];
     }
 }
 
 /// The march itself: step by step, every channel filtered and sampled on the way.
-void march(World& world, const Excitation& excitation, const Travel& travel, const Schedule& schedule, const Options& options, std::vector<FilteredChannel>& filters, Recording& recording) {
+void march(World& world, const Excitation& excitation, const Travel& travel, const Schedule& schedule,
+           const Options& options, std::vector<FilteredChannel>& filters, Recording& recording) {
     const std::int64_t steps = schedule.last - schedule.first;
     const double record_end = static_cast<double>(schedule.samples) / options.sampling_rate_hz;
     std::int64_t lost = 0;
@@ -131,12 +152,19 @@ void march(World& world, const Excitation& excitation, const Travel& travel, con
             filters[c].push(world.vehicle.channels[c].dot(world.vehicle_state.acceleration));
             const std::int64_t at = now - filters[c].filter().before;  // the step this output belongs to
             std::vector<double>& samples = recording.channels[c].acceleration_m_per_s2;
-            if (at >= 0 && at % schedule.ratio == 0 && samples.size() < schedule.samples) samples.push_back(filters[c].output());
+            if (at >= 0 && at % schedule.ratio == 0 && samples.size() < schedule.samples)
+                samples.push_back(filters[c].output());
         }
-        for (std::size_t j = 0; j < 4; ++j) lost += world.junction.contact.nonlinearity > 0.0 && world.junction.force[2 * static_cast<Eigen::Index>(j) + 1] <= 0.0 ? 1 : 0;
-        if (options.observer && now >= 0 && static_cast<double>(now) * schedule.step_s <= record_end) options.observer(look(world, static_cast<double>(now) * schedule.step_s));
+        for (std::size_t j = 0; j < 4; ++j)
+            lost += world.junction.contact.nonlinearity > 0.0 &&
+                            world.junction.force[2 * static_cast<Eigen::Index>(j) + 1] <= 0.0
+                        ? 1
+                        : 0;
+        if (options.observer && now >= 0 && static_cast<double>(now) * schedule.step_s <= record_end)
+            options.observer(look(world, static_cast<double>(now) * schedule.step_s));
         if (options.progress && (now - schedule.first) % std::max<std::int64_t>(1, steps / 100) == 0)
-            options.progress(static_cast<double>(now - schedule.first) * schedule.step_s, static_cast<double>(steps) * schedule.step_s);
+            options.progress(static_cast<double>(now - schedule.first) * schedule.step_s,
+                             static_cast<double>(steps) * schedule.step_s);
     }
     recording.making.contact_lost_share = static_cast<double>(lost) / (4.0 * static_cast<double>(steps));
     recording.making.solves_per_step = static_cast<double>(world.solves) / static_cast<double>(steps);
@@ -147,11 +175,13 @@ void march(World& world, const Excitation& excitation, const Travel& travel, con
 Recording simulate(const pem::CaseParameters& parameters, const Options& options) {
     refuse(parameters, options);
     const auto began = std::chrono::steady_clock::now();
-    const double speed = options.speed_m_per_s > 0.0 ? options.speed_m_per_s : parameters.running.speeds_m_per_s.front();
+    const double speed =
+        options.speed_m_per_s > 0.0 ? options.speed_m_per_s : parameters.running.speeds_m_per_s.front();
     const int ratio = static_cast<int>(std::ceil(1.0 / (options.sampling_rate_hz * options.largest_step_s) - 1e-9));
     const std::vector<pem::SensorParameters> sensors = sensors_by_channel(parameters);
     std::vector<FilteredChannel> filters;
-    for (const pem::SensorParameters& sensor : sensors) filters.emplace_back(make_filter(sensor, options.sampling_rate_hz, ratio));
+    for (const pem::SensorParameters& sensor : sensors)
+        filters.emplace_back(make_filter(sensor, options.sampling_rate_hz, ratio));
     const Schedule schedule = make_schedule(options, filters, ratio);
     const double start_s = static_cast<double>(schedule.first) * schedule.step_s;
     const double end_s = static_cast<double>(schedule.last) * schedule.step_s;
@@ -168,7 +198,7 @@ Recording simulate(const pem::CaseParameters& parameters, const Options& options
                         .channels = empty_channels(parameters, schedule.samples),
                         .making = {}};
     march(world, excitation, travel, schedule, options, filters, recording);
-    add_noise(recording, sensors, options.seed);
+    add_noise(recording, sensors, options);
 
     Making& making = recording.making;
     making.step_s = schedule.step_s;
@@ -176,7 +206,8 @@ Recording simulate(const pem::CaseParameters& parameters, const Options& options
     making.profile_length_m = excitation.profile.step_m * static_cast<double>(excitation.profile.height_m.size());
     making.shortest_wavelength_m = shortest_wavelength_m(parameters.irregularity, speed, schedule.step_s);
     making.chain_error = world.track.law.chain.largest_error;
-    making.seconds_per_second = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count() / options.seconds;
+    making.seconds_per_second =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count() / options.seconds;
     return recording;
 }
 

@@ -15,7 +15,8 @@ bool SeatVariation::has_failed(std::int64_t seat) const {
 
 double SeatVariation::ground_scale(std::int64_t seat) const {
     if (ground_variation == 0.0) return 1.0;
-    const double frequency = 1.0 + ground_variation * std::sin(2.0 * std::numbers::pi * static_cast<double>(seat) / ground_period_seats);
+    const double frequency =
+        1.0 + ground_variation * std::sin(2.0 * std::numbers::pi * static_cast<double>(seat) / ground_period_seats);
     return frequency * frequency;
 }
 
@@ -23,7 +24,8 @@ Stencil stencil_at(const TrackWindow& track, double position_m) {
     const double place = position_m - static_cast<double>(track.first_seat) * track.spacing_m;
     const auto last = static_cast<double>(track.nodes() - 2);
     const double element = std::clamp(std::floor(place / track.element_m), 0.0, last);
-    return {static_cast<std::size_t>(element), displacement_shape(track.section, track.element_m, place - element * track.element_m)};
+    return {static_cast<std::size_t>(element),
+            displacement_shape(track.section, track.element_m, place - element * track.element_m)};
 }
 
 namespace {
@@ -52,8 +54,11 @@ void assemble(TrackWindow& track, const RadauStep& step) {
     const std::size_t n = track.nodes();
     const Complex s2 = step.s * step.s;
     const Complex elastic = 1.0 + track.rail_loss_s * step.s;
-    const auto entry = [&](int row, int column) { return s2 * track.mass(row, column) + elastic * track.stiffness(row, column); };
-    // The rail goes on by one element to a clamped end at either side, far in the absorber: every node has two elements.
+    const auto entry = [&](int row, int column) {
+        return s2 * track.mass(row, column) + elastic * track.stiffness(row, column);
+    };
+    // The rail goes on by one element to a clamped end at either side, far in the absorber: every node has two
+    // elements.
     const Complex coupled = entry(0, 1) + entry(2, 3);
     const Block diagonal{entry(0, 0) + entry(2, 2), coupled, coupled, entry(1, 1) + entry(3, 3)};
     const Block upper{entry(0, 2), entry(0, 3), entry(1, 2), entry(1, 3)};
@@ -111,7 +116,8 @@ void rail_history(TrackWindow& track, const RadauStep& step) {
     const bool lossy = track.rail_loss_s > 0.0;
     const Complex scale = product(step.one, step.s);
     // Rows of a symmetric element matrix gathered at node k from the elements before and after it.
-    const auto gather = [n](const Eigen::Matrix4d& e, const std::vector<double>& w, const std::vector<double>& t, std::size_t k) {
+    const auto gather = [n](const Eigen::Matrix4d& e, const std::vector<double>& w, const std::vector<double>& t,
+                            std::size_t k) {
         const double w0 = k > 0 ? w[k - 1] : 0.0;
         const double t0 = k > 0 ? t[k - 1] : 0.0;
         const double w2 = k + 1 < n ? w[k + 1] : 0.0;
@@ -140,7 +146,8 @@ void damper_history(TrackWindow& track, const RadauStep& step) {
         for (std::size_t k = 0; k < track.nodes(); ++k) {
             const Motion& y = track.damper_motion[d][k];
             const Complex dashpot = scale * (law.damping_n_s_per_m * (y.displacement_m - track.w[k]));
-            const Complex momentum = product(scale, step.s * (law.mass_kg * y.displacement_m) + law.mass_kg * y.velocity_m_per_s);
+            const Complex momentum =
+                product(scale, step.s * (law.mass_kg * y.displacement_m) + law.mass_kg * y.velocity_m_per_s);
             track.damper_history[d][k] = dashpot + momentum;
             track.history[k].w += product(product(law.coupling, law.receptance), dashpot + momentum) - dashpot;
         }
@@ -191,7 +198,8 @@ void finish_step(TrackWindow& track, const RadauStep& step) {
     for (std::size_t d = 0; d < track.dampers.size(); ++d)
         for (std::size_t k = 0; k < track.nodes(); ++k) {
             const DamperLaw& law = track.dampers[d];
-            const Complex y = product(law.receptance, product(law.coupling, track.solution[k].w) + track.damper_history[d][k]);
+            const Complex y =
+                product(law.receptance, product(law.coupling, track.solution[k].w) + track.damper_history[d][k]);
             Motion& motion = track.damper_motion[d][k];
             motion = {RadauStep::at_end(y), RadauStep::at_end(step.derivative(y, motion.displacement_m))};
         }

@@ -12,9 +12,10 @@ namespace railpem::simulate {
 
 /// How much rail travels with the vehicle, and how finely it is divided.
 struct WindowOptions {
-    int elements_per_bay = 2;      ///< 0.3 m: error of the phase velocity below 1e-3 up to 500 Hz for rails of 50 kg/m and more
-    double margin_m = 7.2;         ///< undisturbed rail beyond the outermost wheels
-    double absorber_m = 14.4;      ///< then rail with a dashpot that grows with the square of the distance
+    int elements_per_bay =
+        2;  ///< 0.3 m: error of the phase velocity below 1e-3 up to 500 Hz for rails of 50 kg/m and more
+    double margin_m = 7.2;                ///< undisturbed rail beyond the outermost wheels
+    double absorber_m = 14.4;             ///< then rail with a dashpot that grows with the square of the distance
     double absorber_rate_per_s = 3000.0;  ///< at its end, per unit of rail mass
 };
 
@@ -24,14 +25,15 @@ struct DamperLaw {
     Complex coupling, receptance;                          ///< k + c·s and 1/(m·s² + k + c·s)
 };
 
-/// What varies from seat to seat: a function of the seat's number, counted from the one at or behind wheel 1 at the start.
+/// What varies from seat to seat: a function of the seat's number, counted from the one at or behind wheel 1 at the
+/// start.
 struct SeatVariation {
     int failed_every = 0;
-    int failed_origin = 0;            ///< number of the seat nearest to wheel 1
+    int failed_origin = 0;  ///< number of the seat nearest to wheel 1
     double failed_fraction = 0.0;
     std::uint64_t failed_seed = 1;
     double remaining_share = 1.0;
-    double ground_variation = 0.0;    ///< relative, of the last oscillator's frequency
+    double ground_variation = 0.0;  ///< relative, of the last oscillator's frequency
     double ground_period_seats = 1.0;
 
     bool is_uniform() const { return failed_every == 0 && failed_fraction == 0.0 && ground_variation == 0.0; }
@@ -40,17 +42,17 @@ struct SeatVariation {
 };
 
 /// A stretch of track that travels with the vehicle, bay by bay: what enters ahead is at rest, what leaves behind is
-/// forgotten, and absorbing ends keep both from being felt. Rail displacements are relative to the unloaded track (moving)
-/// or to the static equilibrium under the standing vehicle.
+/// forgotten, and absorbing ends keep both from being felt. Rail displacements are relative to the unloaded track
+/// (moving) or to the static equilibrium under the standing vehicle.
 struct TrackWindow {
     Section section;
     double element_m = 0.0;
     double spacing_m = 0.0;
     int elements_per_bay = 2;
     int bays = 0;
-    std::int64_t first_seat = 0;   ///< number of the seat at node 0
-    int wheel_1_bay = 0;           ///< bay of the window in which wheel 1 stays
-    double rail_loss_s = 0.0;      ///< η/ω_ref: stiffness-proportional damping
+    std::int64_t first_seat = 0;  ///< number of the seat at node 0
+    int wheel_1_bay = 0;          ///< bay of the window in which wheel 1 stays
+    double rail_loss_s = 0.0;     ///< η/ω_ref: stiffness-proportional damping
 
     Eigen::Matrix4d mass, stiffness;  ///< of one element
     std::vector<double> absorber_n_s_per_m;
@@ -63,7 +65,7 @@ struct TrackWindow {
     std::vector<std::vector<Motion>> damper_motion;            ///< [damper][node]
     std::vector<Seat> seats;                                   ///< one per bay boundary
 
-    BlockTridiagonal rail;           ///< without the seats
+    BlockTridiagonal rail;  ///< without the seats
     BlockFactors factors;
     std::vector<Pair> history, solution;
     std::vector<std::vector<Complex>> damper_history;  ///< H of each damper and node
@@ -93,7 +95,8 @@ void shift(TrackWindow& track, const RadauStep& step);
 
 void begin_step(TrackWindow& track, const RadauStep& step);
 
-/// Solves the stages for given loads. Returns the largest movement of a pad's nonlinear residual, N: zero for linear pads.
+/// Solves the stages for given loads. Returns the largest movement of a pad's nonlinear residual, N: zero for linear
+/// pads.
 double solve_track(TrackWindow& track, const RadauStep& step, const std::vector<StageLoad>& loads);
 
 /// Rail displacement by the shape functions at both stages of the last solve, at the places of the load.

@@ -23,7 +23,9 @@ struct Assembly {
         return static_cast<Eigen::Index>(masses.size()) - 1;
     }
     Eigen::VectorXd zero() const { return Eigen::VectorXd::Zero(static_cast<Eigen::Index>(masses.size())); }
-    Eigen::VectorXd unit(Eigen::Index i) const { return Eigen::VectorXd::Unit(static_cast<Eigen::Index>(masses.size()), i); }
+    Eigen::VectorXd unit(Eigen::Index i) const {
+        return Eigen::VectorXd::Unit(static_cast<Eigen::Index>(masses.size()), i);
+    }
 
     Eigen::VectorXd body_at(double x) const {
         Eigen::VectorXd row = zero();
@@ -80,8 +82,10 @@ void add_masses(Assembly& a) {
     }
     const AxleAbsorber& absorber = a.only_here.axle_absorber;
     for (int j = 0; j < 4; ++j)
-        if (absorber.mass_kg > 0.0 && (absorber.wheel == 0 || absorber.wheel == j + 1)) a.absorber[static_cast<std::size_t>(j)] = a.add_mass(absorber.mass_kg);
-    if (a.only_here.body_coupling.stiffness_n_per_m > 0.0) a.neighbour = a.add_mass(a.only_here.body_coupling.neighbour_mass_kg);
+        if (absorber.mass_kg > 0.0 && (absorber.wheel == 0 || absorber.wheel == j + 1))
+            a.absorber[static_cast<std::size_t>(j)] = a.add_mass(absorber.mass_kg);
+    if (a.only_here.body_coupling.stiffness_n_per_m > 0.0)
+        a.neighbour = a.add_mass(a.only_here.body_coupling.neighbour_mass_kg);
 }
 
 void add_suspension(Assembly& a, const Eigen::VectorXd& direction, const vehicle::SuspensionParameters& stage) {
@@ -89,7 +93,8 @@ void add_suspension(Assembly& a, const Eigen::VectorXd& direction, const vehicle
     const bool is_maxwell = std::isfinite(series) && stage.damping_n_s_per_m > 0.0;
     a.spring(direction, stage.stiffness_n_per_m, is_maxwell ? 0.0 : stage.damping_n_s_per_m);
     if (is_maxwell) a.model.maxwell.push_back({direction, series, stage.damping_n_s_per_m / series});
-    if (stage.friction_force_n > 0.0) a.model.nonlinear.push_back({.direction = direction, .force_n = stage.friction_force_n});
+    if (stage.friction_force_n > 0.0)
+        a.model.nonlinear.push_back({.direction = direction, .force_n = stage.friction_force_n});
 }
 
 void add_suspensions(Assembly& a) {
@@ -101,34 +106,48 @@ void add_suspensions(Assembly& a) {
         const Eigen::VectorXd secondary = a.body_at(bogie == 0 ? pivot : -pivot) - a.bogie_at(bogie, 0.0);
         add_suspension(a, secondary, a.car.secondary);
         if (stop.stiffness_n_per_m > 0.0)
-            a.model.nonlinear.push_back({.direction = secondary, .law = NonlinearElement::Law::bump_stop, .stiffness_n_per_m = stop.stiffness_n_per_m, .gap_m = stop.gap_m});
+            a.model.nonlinear.push_back({.direction = secondary,
+                                         .law = NonlinearElement::Law::bump_stop,
+                                         .stiffness_n_per_m = stop.stiffness_n_per_m,
+                                         .gap_m = stop.gap_m});
         for (int of = 0; of < 2; ++of) {
             const Eigen::VectorXd primary = a.bogie_at(bogie, of == 0 ? axle : -axle) - a.wheel(2 * bogie + of);
             add_suspension(a, primary, a.car.primary);
             if (guidance.force_n > 0.0)
-                a.model.nonlinear.push_back({.direction = primary, .force_n = guidance.force_n, .static_excess = guidance.static_to_kinetic - 1.0, .stribeck_velocity_m_per_s = guidance.stribeck_velocity_m_per_s});
+                a.model.nonlinear.push_back({.direction = primary,
+                                             .force_n = guidance.force_n,
+                                             .static_excess = guidance.static_to_kinetic - 1.0,
+                                             .stribeck_velocity_m_per_s = guidance.stribeck_velocity_m_per_s});
         }
     }
 }
 
 void add_attachments(Assembly& a) {
-    if (a.body_mode >= 0) a.resonator(a.unit(a.body_mode), a.body_mode, a.car.body_bending.front().frequency_hz, a.car.body_bending.front().damping_ratio);
+    if (a.body_mode >= 0)
+        a.resonator(a.unit(a.body_mode), a.body_mode, a.car.body_bending.front().frequency_hz,
+                    a.car.body_bending.front().damping_ratio);
     if (a.wheel_mode >= 0)
         for (int j = 0; j < 4; ++j)
-            a.resonator(a.unit(a.wheel_mode + j), a.wheel_mode + j, a.car.wheelset_bending.front().frequency_hz, a.car.wheelset_bending.front().damping_ratio);
+            a.resonator(a.unit(a.wheel_mode + j), a.wheel_mode + j, a.car.wheelset_bending.front().frequency_hz,
+                        a.car.wheelset_bending.front().damping_ratio);
     for (std::size_t i = 0; i < a.hung.size(); ++i) {
         const vehicle::BogieMountedMass& mounted = a.car.bogie_mounted_masses[i];
         for (int bogie = 0; bogie < 2; ++bogie) {
             const Eigen::Index at = a.hung[i][static_cast<std::size_t>(bogie)];
-            a.resonator(a.unit(at) - a.bogie_at(bogie, mounted.position_m), at, mounted.frequency_hz, mounted.damping_ratio);
+            a.resonator(a.unit(at) - a.bogie_at(bogie, mounted.position_m), at, mounted.frequency_hz,
+                        mounted.damping_ratio);
         }
     }
     for (int j = 0; j < 4; ++j) {
         const Eigen::Index at = a.absorber[static_cast<std::size_t>(j)];
-        if (at >= 0) a.resonator(a.unit(at) - a.wheel(j), at, a.only_here.axle_absorber.frequency_hz, a.only_here.axle_absorber.damping_ratio);
+        if (at >= 0)
+            a.resonator(a.unit(at) - a.wheel(j), at, a.only_here.axle_absorber.frequency_hz,
+                        a.only_here.axle_absorber.damping_ratio);
     }
     const BogieCoupling& link = a.only_here.bogie_coupling;
-    if (link.stiffness_n_per_m > 0.0) a.spring(a.bogie_at(0, -link.arm_m) - a.bogie_at(1, link.arm_m), link.stiffness_n_per_m, link.damping_n_s_per_m);
+    if (link.stiffness_n_per_m > 0.0)
+        a.spring(a.bogie_at(0, -link.arm_m) - a.bogie_at(1, link.arm_m), link.stiffness_n_per_m,
+                 link.damping_n_s_per_m);
     const BodyCoupling& buffer = a.only_here.body_coupling;
     if (a.neighbour < 0) return;
     a.resonator(a.unit(a.neighbour), a.neighbour, buffer.neighbour_frequency_hz, buffer.neighbour_damping_ratio);
@@ -164,7 +183,8 @@ ForceAndSlope force_of(const NonlinearElement& element, double value) {
     const double relative = value / element.stribeck_velocity_m_per_s;
     const double excess = element.static_excess * std::exp(-relative * relative);
     const double level = element.force_n * (1.0 + excess);
-    const double slope = level * (1.0 - sign * sign) / friction_velocity_m_per_s - element.force_n * excess * 2.0 * relative / element.stribeck_velocity_m_per_s * sign;
+    const double slope = level * (1.0 - sign * sign) / friction_velocity_m_per_s -
+                         element.force_n * excess * 2.0 * relative / element.stribeck_velocity_m_per_s * sign;
     return {level * sign, slope};
 }
 
@@ -186,7 +206,11 @@ VehicleStep vehicle_step(const VehicleModel& model, const RadauStep& step) {
 
 VehicleState vehicle_at_rest(const VehicleModel& model) {
     const Eigen::VectorXd zero = Eigen::VectorXd::Zero(model.mass.size());
-    return {.displacement = zero, .velocity = zero, .acceleration = zero, .maxwell_m = std::vector<double>(model.maxwell.size(), 0.0), .solution = zero.cast<Complex>()};
+    return {.displacement = zero,
+            .velocity = zero,
+            .acceleration = zero,
+            .maxwell_m = std::vector<double>(model.maxwell.size(), 0.0),
+            .solution = zero.cast<Complex>()};
 }
 
 void begin_step(const VehicleModel& model, const VehicleStep& numbers, const RadauStep& step, VehicleState& state) {
@@ -195,14 +219,16 @@ void begin_step(const VehicleModel& model, const VehicleStep& numbers, const Rad
     const Eigen::VectorXd inertia = model.mass.cwiseProduct(state.displacement);
     const Eigen::VectorXd rest = model.mass.cwiseProduct(state.velocity) + model.damping * state.displacement;
     Eigen::VectorXcd history = (scale * step.s) * inertia + scale * rest;
-    for (std::size_t i = 0; i < model.maxwell.size(); ++i) history += numbers.maxwell_weight[i] * state.maxwell_m[i] * model.maxwell[i].direction;
+    for (std::size_t i = 0; i < model.maxwell.size(); ++i)
+        history += numbers.maxwell_weight[i] * state.maxwell_m[i] * model.maxwell[i].direction;
     state.solution.noalias() = numbers.receptance * history;
 }
 
 void finish_step(const VehicleModel& model, const VehicleStep& numbers, const RadauStep& step, VehicleState& state) {
     for (std::size_t i = 0; i < model.maxwell.size(); ++i) {
         const Complex u = model.maxwell[i].direction.dot(state.solution);
-        state.maxwell_m[i] = RadauStep::at_end(numbers.maxwell_old[i] * state.maxwell_m[i] + numbers.maxwell_new[i] * u);
+        state.maxwell_m[i] =
+            RadauStep::at_end(numbers.maxwell_old[i] * state.maxwell_m[i] + numbers.maxwell_new[i] * u);
     }
     for (Eigen::Index i = 0; i < state.solution.size(); ++i) {
         const Complex velocity = step.derivative(state.solution[i], state.displacement[i]);

@@ -19,8 +19,8 @@ std::array<double, 4> behind_wheel_1(const vehicle::VehicleParameters& vehicle) 
     return behind;
 }
 
-/// Foot of the seats: sleeper and its modes on the ballast, then ground that yields. A loss factor becomes the dashpot that
-/// dissipates the same at the oscillator's own frequency.
+/// Foot of the seats: sleeper and its modes on the ballast, then ground that yields. A loss factor becomes the dashpot
+/// that dissipates the same at the oscillator's own frequency.
 std::vector<Oscillator> seat_oscillators(const track::SupportParameters& support, const WanderingSubgrade& ground) {
     std::vector<Oscillator> oscillators;
     if (support.model == track::SupportModel::two_layer) {
@@ -36,7 +36,8 @@ std::vector<Oscillator> seat_oscillators(const track::SupportParameters& support
     }
     if (ground.mass_kg > 0.0) {
         const double omega = 2.0 * pi * ground.frequency_hz;
-        oscillators.push_back({ground.mass_kg, 2.0 * ground.damping_ratio * ground.mass_kg * omega, ground.mass_kg * omega * omega});
+        oscillators.push_back(
+            {ground.mass_kg, 2.0 * ground.damping_ratio * ground.mass_kg * omega, ground.mass_kg * omega * omega});
     }
     return oscillators;
 }
@@ -58,7 +59,8 @@ SeatVariation seat_variation(const track::TrackParameters& track, const Wanderin
     return variation;
 }
 
-void size_window(TrackWindow& window, const track::TrackParameters& track, const WindowOptions& options, double vehicle_length, double start_m) {
+void size_window(TrackWindow& window, const track::TrackParameters& track, const WindowOptions& options,
+                 double vehicle_length, double start_m) {
     window.section = section_of(track.rail);
     window.spacing_m = track.spacing_m;
     window.elements_per_bay = std::max(options.elements_per_bay, static_cast<int>(std::ceil(track.spacing_m / 0.35)));
@@ -70,12 +72,15 @@ void size_window(TrackWindow& window, const track::TrackParameters& track, const
     window.wheel_1_bay = window.bays - 1 - ahead;
     window.first_seat = static_cast<std::int64_t>(std::floor(start_m / track.spacing_m)) - window.wheel_1_bay;
     const auto nodes = static_cast<std::size_t>(window.bays * window.elements_per_bay + 1);
-    for (std::vector<double>* values : {&window.w, &window.theta, &window.velocity_w, &window.velocity_theta, &window.absorber_n_s_per_m}) values->assign(nodes, 0.0);
+    for (std::vector<double>* values :
+         {&window.w, &window.theta, &window.velocity_w, &window.velocity_theta, &window.absorber_n_s_per_m})
+        values->assign(nodes, 0.0);
     const double reach = static_cast<double>(absorber * window.elements_per_bay);
     for (std::size_t k = 0; k < nodes; ++k) {
         const auto to_end = static_cast<double>(std::min(k, nodes - 1 - k));
         const double depth = std::max(0.0, 1.0 - to_end / std::max(1.0, reach));
-        window.absorber_n_s_per_m[k] = options.absorber_rate_per_s * depth * depth * track.rail.mass_kg_per_m * window.element_m;
+        window.absorber_n_s_per_m[k] =
+            options.absorber_rate_per_s * depth * depth * track.rail.mass_kg_per_m * window.element_m;
     }
 }
 
@@ -87,16 +92,20 @@ void set_laws(TrackWindow& window, const track::TrackParameters& track, const Op
     for (const track::RailDamper& damper : track.rail_dampers) {
         const double mass = damper.mass_kg_per_m * window.element_m;
         const double omega = 2.0 * pi * damper.frequency_hz;
-        window.dampers.push_back({.mass_kg = mass, .stiffness_n_per_m = mass * omega * omega, .damping_n_s_per_m = damper.loss_factor * mass * omega, .coupling = 0.0, .receptance = 0.0});
+        window.dampers.push_back({.mass_kg = mass,
+                                  .stiffness_n_per_m = mass * omega * omega,
+                                  .damping_n_s_per_m = damper.loss_factor * mass * omega,
+                                  .coupling = 0.0,
+                                  .receptance = 0.0});
     }
     window.damper_motion.assign(window.dampers.size(), std::vector<Motion>(window.nodes()));
-    const double gap = options.only_here.pad_dead_band.gap_m;
+    const PadDeadBand& play = options.only_here.pad_dead_band;
     SeatLaw& law = window.law;
     law.chain = pad_chain(track.pads);
     law.dashpot_n_s_per_m = pad_dashpot_n_s_per_m(track.pads);
-    law.curve = dynamic_curve(track, gap);
+    law.curve = dynamic_curve(track, play);
     law.reference_stiffness_n_per_m = law.curve.tangent(0.0);
-    law.nonlinear = is_nonlinear(track.pads, gap) && !(options.mode == Mode::standing && options.linear_pads);
+    law.nonlinear = is_nonlinear(track.pads, play) && !(options.mode == Mode::standing && options.linear_pads);
     law.oscillators = seat_oscillators(track.support, options.only_here.wandering_subgrade);
     window.variation = seat_variation(track, options.only_here.wandering_subgrade);
     window.seats.assign(static_cast<std::size_t>(window.bays + 1), fresh_seat(law));
@@ -105,7 +114,8 @@ void set_laws(TrackWindow& window, const track::TrackParameters& track, const Op
 ContactLaw contact_law(const pem::CaseParameters& parameters, const Options& options) {
     const pem::ContactParameters& contact = parameters.contact;
     ContactLaw law;
-    law.constant_m_per_n23 = contact.constant_m_per_n23 > 0.0 ? contact.constant_m_per_n23 : worn_tread_constant(parameters.vehicle.wheel_radius_m);
+    law.constant_m_per_n23 = contact.constant_m_per_n23 > 0.0 ? contact.constant_m_per_n23
+                                                              : worn_tread_constant(parameters.vehicle.wheel_radius_m);
     law.static_load_n = pem::wheel_load_n(parameters);
     law.nonlinearity = contact.nonlinearity_factor;
     // A real contact is Hertz's; only who asks for it gets the linear one.
@@ -122,7 +132,8 @@ std::vector<double> wheel_places(const World& world, double distance_m) {
 
 Section static_section(const track::TrackParameters& track) {
     track::RailParameters rail = track.rail;
-    if (track.statics.second_moment_of_area_m4 > 0.0) rail.second_moment_of_area_m4 = track.statics.second_moment_of_area_m4;
+    if (track.statics.second_moment_of_area_m4 > 0.0)
+        rail.second_moment_of_area_m4 = track.statics.second_moment_of_area_m4;
     return section_of(rail);
 }
 
@@ -131,15 +142,20 @@ void set_down(World& world, double distance_m) {
     double sum = 0.0;
     for (const double place : wheel_places(world, distance_m)) {
         const Stencil at = stencil_at(world.track, place);
-        sum += at.shape[0] * world.track.w[at.node] + at.shape[1] * world.track.theta[at.node] + at.shape[2] * world.track.w[at.node + 1] + at.shape[3] * world.track.theta[at.node + 1];
+        sum += at.shape[0] * world.track.w[at.node] + at.shape[1] * world.track.theta[at.node] +
+               at.shape[2] * world.track.w[at.node + 1] + at.shape[3] * world.track.theta[at.node + 1];
     }
     for (const Eigen::Index heave : {0, 2, 4, 6, 7, 8, 9}) world.vehicle_state.displacement[heave] = 0.25 * sum;
 }
 
 }  // namespace
 
-World make_world(const pem::CaseParameters& parameters, const Options& options, double speed_m_per_s, double step_s, double start_distance_m) {
-    World world{.step = RadauStep(step_s), .mode = options.mode, .behind_m = behind_wheel_1(parameters.vehicle), .wheel_offset_m = parameters.track.wheel_offset_m};
+World make_world(const pem::CaseParameters& parameters, const Options& options, double speed_m_per_s, double step_s,
+                 double start_distance_m) {
+    World world{.step = RadauStep(step_s),
+                .mode = options.mode,
+                .behind_m = behind_wheel_1(parameters.vehicle),
+                .wheel_offset_m = parameters.track.wheel_offset_m};
     const bool moving = options.mode == Mode::moving;
     const double start = moving ? start_distance_m : 0.0;
     size_window(world.track, parameters.track, options.window, world.behind_m[3], world.wheel_offset_m + start);
@@ -155,118 +171,15 @@ World make_world(const pem::CaseParameters& parameters, const Options& options, 
         set_down(world, start);
     } else {
         world.rail_reference_n = contact.static_load_n;
-        if (is_nonlinear(parameters.track.pads, options.only_here.pad_dead_band.gap_m))
-            start_standing(world.track, world.step, static_section(parameters.track), static_curve(parameters.track, options.only_here.pad_dead_band.gap_m), wheel_places(world, 0.0), contact.static_load_n);
+        if (is_nonlinear(parameters.track.pads, options.only_here.pad_dead_band))
+            start_standing(world.track, world.step, static_section(parameters.track),
+                           static_curve(parameters.track, options.only_here.pad_dead_band), wheel_places(world, 0.0),
+                           contact.static_load_n);
     }
     const double advance_m = moving ? speed_m_per_s * step_s * (1.0 - RadauStep::first_stage) : 0.0;
     world.compliance = tabulate_compliance(world.track, advance_m);
     world.loads.resize(4);
     return world;
-}
-
-namespace {
-
-/// Places and first guess of the loads: forces go on as they went over the last step.
-void predict_loads(World& world, const Travel& travel, double time_s) {
-    const double h = world.step.step_s;
-    for (std::size_t j = 0; j < 4; ++j) {
-        const std::array<double, 2> at_s{time_s + RadauStep::first_stage * h, time_s + h};
-        const double first = world.junction.force[2 * static_cast<Eigen::Index>(j)];
-        const double last = world.junction.force[2 * static_cast<Eigen::Index>(j) + 1];
-        const double rise = last - first;  // over two thirds of a step
-        for (std::size_t stage = 0; stage < 2; ++stage) {
-            const double distance = world.mode == Mode::moving ? travel.distance(at_s[stage]) : 0.0;
-            world.loads[j].position_m[stage] = world.wheel_offset_m + distance - world.behind_m[j];
-            world.loads[j].force_n[stage] = std::max(0.0, last + (stage == 0 ? 0.5 : 1.5) * rise) - world.rail_reference_n;
-        }
-    }
-}
-
-/// What the rail adds to the junction's coupling under each wheel, and the approach that does not depend on the step's forces.
-struct UnderWheels {
-    std::array<std::array<double, 4>, 4> rail;  ///< per wheel, 2×2 by stages
-    std::array<std::array<double, 2>, 4> local; ///< compliance of the element under its load
-    std::array<std::array<double, 2>, 4> height;
-};
-
-UnderWheels prepare_contacts(World& world, const Excitation& excitation, const Travel& travel, double time_s) {
-    UnderWheels under{};
-    const TrackWindow& track = world.track;
-    const std::array<double, 2> at_s{time_s + RadauStep::first_stage * world.step.step_s, time_s + world.step.step_s};
-    world.junction.coupling = world.junction.vehicle_coupling;
-    for (std::size_t j = 0; j < 4; ++j) {
-        const auto row = 2 * static_cast<Eigen::Index>(j);
-        under.rail[j] = world.compliance.at(world.step, world.loads[j].position_m[0]);
-        for (std::size_t stage = 0; stage < 2; ++stage) {
-            const double place = world.loads[j].position_m[stage] / track.element_m;
-            under.local[j][stage] = compliance_between_nodes(track.section, track.element_m, (place - std::floor(place)) * track.element_m);
-            under.height[j][stage] = excitation.at(j, at_s[stage], travel.distance(at_s[stage]));
-            for (std::size_t other = 0; other < 2; ++other) world.junction.coupling(row + Eigen::Index(stage), row + Eigen::Index(other)) -= under.rail[j][2 * stage + other];
-            world.junction.coupling(row + Eigen::Index(stage), row + Eigen::Index(stage)) -= under.local[j][stage];
-        }
-        world.irregularity_m[j] = under.height[j][1];
-        world.local_compliance[j] = under.local[j][1];
-    }
-    return under;
-}
-
-/// y_free of the contacts for the rail's present solution: what they would see if their forces were nothing.
-void set_free_contacts(World& world, const UnderWheels& under, const Junction::Vector& free_vehicle) {
-    Junction& junction = world.junction;
-    junction.free = free_vehicle;
-    const double approach = static_approach(junction.contact);
-    for (std::size_t j = 0; j < 4; ++j) {
-        const std::array<double, 2> rail = rail_displacement(world.track, world.step, world.loads[j]);
-        for (std::size_t stage = 0; stage < 2; ++stage) {
-            double back = under.local[j][stage] * world.rail_reference_n;
-            for (std::size_t other = 0; other < 2; ++other) back += under.rail[j][2 * stage + other] * (world.loads[j].force_n[other] + world.rail_reference_n);
-            junction.free[2 * static_cast<Eigen::Index>(j) + static_cast<Eigen::Index>(stage)] += approach + rail[stage] + under.height[j][stage] + back;
-        }
-        world.rail_displacement_m[j] = rail[1] - under.local[j][1] * world.loads[j].force_n[1];
-    }
-}
-
-/// Puts the junction's forces on the rail; returns how far they are from those the rail was solved with.
-double update_loads(World& world) {
-    double moved = 0.0;
-    for (std::size_t j = 0; j < 4; ++j)
-        for (std::size_t stage = 0; stage < 2; ++stage) {
-            const double force = world.junction.force[2 * static_cast<Eigen::Index>(j) + static_cast<Eigen::Index>(stage)] - world.rail_reference_n;
-            moved = std::max(moved, std::abs(force - world.loads[j].force_n[stage]));
-            world.loads[j].force_n[stage] = force;
-        }
-    return moved;
-}
-
-}  // namespace
-
-int advance(World& world, const Excitation& excitation, const Travel& travel, double time_s) {
-    constexpr int most = 40;
-    // 0.2 N for 80 kN: the contact then misses its law by 1.3e-10 m, 80 dB below the shortest waves of the irregularity.
-    const double tolerance_n = 2.5e-6 * world.junction.contact.static_load_n;
-    if (world.mode == Mode::moving)
-        while (world.wheel_offset_m + travel.distance(time_s) >= static_cast<double>(world.track.first_seat + world.track.wheel_1_bay + 1) * world.track.spacing_m)
-            shift(world.track, world.step);
-    begin_step(world.track, world.step);
-    begin_step(world.vehicle, world.vehicle_numbers, world.step, world.vehicle_state);
-    set_free_vehicle(world.junction, world.step, world.vehicle_state);
-    const Junction::Vector free_vehicle = world.junction.free;
-    predict_loads(world, travel, time_s);
-    const UnderWheels under = prepare_contacts(world, excitation, travel, time_s);
-    int solves = 0;
-    while (solves < most) {
-        const double pads_moved = solve_track(world.track, world.step, world.loads);
-        ++solves;
-        set_free_contacts(world, under, free_vehicle);
-        solve_junction(world.junction);
-        const double loads_moved = update_loads(world);
-        if (loads_moved < tolerance_n && pads_moved < tolerance_n) break;
-    }
-    apply_to_vehicle(world.junction, world.step, world.vehicle_state);
-    finish_step(world.vehicle, world.vehicle_numbers, world.step, world.vehicle_state);
-    finish_step(world.track, world.step);
-    world.solves += solves;
-    return solves;
 }
 
 std::array<std::vector<double>, 4> quasi_static_deflection(const World& world, int places) {
@@ -281,8 +194,11 @@ std::array<std::vector<double>, 4> quasi_static_deflection(const World& world, i
         for (std::size_t j = 0; j < 4; ++j) {
             const Stencil at = stencil_at(track, wheels[j]);
             const double place = wheels[j] / track.element_m;
-            const double local = compliance_between_nodes(track.section, track.element_m, (place - std::floor(place)) * track.element_m);
-            deflection[j].push_back(load * local - (at.shape[0] * rest.w[at.node] + at.shape[1] * rest.theta[at.node] + at.shape[2] * rest.w[at.node + 1] + at.shape[3] * rest.theta[at.node + 1]));
+            const double local =
+                compliance_between_nodes(track.section, track.element_m, (place - std::floor(place)) * track.element_m);
+            deflection[j].push_back(load * local -
+                                    (at.shape[0] * rest.w[at.node] + at.shape[1] * rest.theta[at.node] +
+                                     at.shape[2] * rest.w[at.node + 1] + at.shape[3] * rest.theta[at.node + 1]));
         }
     }
     return deflection;

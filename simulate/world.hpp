@@ -23,10 +23,10 @@ struct World {
     VehicleState vehicle_state;
     Junction junction;
     ContactCompliance compliance;
-    std::vector<StageLoad> loads;        ///< of the four wheels on the rail
-    std::array<double, 4> behind_m;      ///< of wheel j behind wheel 1
-    double wheel_offset_m = 0.0;         ///< of wheel 1 from seat 0 at distance 0
-    double rail_reference_n = 0.0;       ///< contact force that the rail's origin already carries
+    std::vector<StageLoad> loads;    ///< of the four wheels on the rail
+    std::array<double, 4> behind_m;  ///< of wheel j behind wheel 1
+    double wheel_offset_m = 0.0;     ///< of wheel 1 from seat 0 at distance 0
+    double rail_reference_n = 0.0;   ///< contact force that the rail's origin already carries
 
     // Of the last step.
     std::array<double, 4> rail_displacement_m{};
@@ -36,7 +36,8 @@ struct World {
 };
 
 /// Sets up the world at rest; the case must have passed check(). `start_distance_m`: where the vehicle stands first.
-World make_world(const pem::CaseParameters& parameters, const Options& options, double speed_m_per_s, double step_s, double start_distance_m);
+World make_world(const pem::CaseParameters& parameters, const Options& options, double speed_m_per_s, double step_s,
+                 double start_distance_m);
 
 /// One step, from time t to t + step. Returns the number of track solves it took.
 int advance(World& world, const Excitation& excitation, const Travel& travel, double time_s);

@@ -3,42 +3,38 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "parameters/field.hpp"
+#include "diagnosis/effects/element.hpp"
 #include "pem/case_parameters.hpp"
 
 namespace railpem::diagnosis {
 
-/// Elements of the structure in which an effect can sit.
-enum class Element { secondary, primary, body, bogie, wheel, contact, rail, pad, support, irregularity, sensor };
-
-/// The element as the diagnosis writes it.
-std::string element_name(Element element);
-
-/// How believable strengths are spread over the range before any data are seen.
+/// How believable values are spread over the range before any data are seen.
 enum class Spread { uniform, logarithmic };
 
 /// A continuous parameter of an effect.
 struct EffectParameter {
     std::string name;  ///< as in the catalogue, with its unit
     std::string unit;
-    double low = 0.0;
+    double low = 0.0;  ///< of the physical range, ends included
     double high = 1.0;
     double typical = 0.5;  ///< a moderate strength, for figures and starting points
     Spread spread = Spread::uniform;
-    bool strength = false;  ///< the effect vanishes as this goes to `nothing`
-    double nothing = 0.0;
+    bool strength = false;  ///< the effect vanishes as all parameters so marked go to `nothing`
+    double nothing = 0.0;   ///< may be infinite, or lie outside of the range
     std::string says;
 };
 
 /// A discrete parameter: which wheel, order, channel, stage, key of the case. Written in files as text or whole number.
 struct EffectChoice {
     std::string name;
-    std::vector<std::string> options;  ///< empty: any key of the case (parameter-error)
-    bool whole_number = false;
+    std::vector<std::string> options;  ///< empty: any number of the case by its dotted key (parameter-error)
+    bool whole_number = false;         ///< options are whole numbers, without gaps
     bool required = true;
+    std::string replaces;  ///< parameter that means nothing, and must not be given, beside this choice
     std::string says;
 };
 
@@ -49,32 +45,41 @@ struct EffectInstance {
     std::map<std::string, std::string> choices;
 };
 
-/// Access to the numeric keys of a case by dotted path; given by whoever owns the schema.
+/// Access to the numbers of a case by dotted path; given by whoever owns the schema. `set` throws
+/// parameters::ParameterError when the value is none that the number may have.
 struct ParameterAccess {
     std::function<double(const pem::CaseParameters&, const std::string& key)> get;
     std::function<void(pem::CaseParameters&, const std::string& key, double value)> set;
     std::vector<std::string> keys;
 };
 
-/// A band of frequencies in which an effect shows, Hz.
+/// A band of frequencies in which an effect shows, Hz, for a car of some 10 t axle load at 80 km/h.
 struct Band {
     double low_hz;
     double high_hz;
 };
 
+/// Why an effect cannot be added to a case, and what case it would need.
+struct Obstacle {
+    std::string problem;
+    std::string allowed;
+};
+
 struct Effect {
-    std::string id;        ///< as in the catalogue
-    std::string says;      ///< what was left out, one sentence in plain words
+    std::string id;    ///< as in the catalogue
+    std::string says;  ///< what was left out, one sentence in plain words
     std::string equation;
-    std::string source;    ///< literature
+    std::string source;  ///< literature
     std::vector<EffectParameter> parameters;
     std::vector<EffectChoice> choices;
     std::vector<Element> elements;  ///< where it sits; several when a choice decides
     std::vector<Band> bands;
-    std::string mimics;    ///< what looks like it, and what would tell them apart
-    /// Turns a believed case into one with the effect. Values must lie in their ranges unless the caller forces them;
-    /// missing values take the typical ones. Never depends on the order in which effects are applied, except that
-    /// the effects of the support need the two-layer support first.
+    std::string mimics;  ///< what looks like it, and what would tell them apart
+    /// What in the case forbids the effect (it is there already, or something else overrides it); null: nothing can.
+    std::function<std::optional<Obstacle>(const pem::CaseParameters&)> obstacle;
+    /// Turns a believed case into one with the effect by setting data. The instance states every parameter. Adds to
+    /// what the case has of the same kind, so that several effects do not depend on the order in which they are
+    /// applied.
     std::function<void(pem::CaseParameters&, const EffectInstance&, const ParameterAccess&)> apply;
 };
 
@@ -90,11 +95,23 @@ double value_of(const Effect& effect, const EffectInstance& instance, const std:
 /// The element in which this instance sits (suspension friction: that of its stage; parameter-error: that of its key).
 Element element_of(const Effect& effect, const EffectInstance& instance);
 
-/// Checks names, ranges and choices. Throws parameters::ParameterError with key "effect.<name>". `force` allows values out of range.
+/// Checks identifier, names, ranges and choices. `force` allows values out of range.
+/// Throws parameters::ParameterError with key "effect.<name>".
 void check(const EffectInstance& instance, const ParameterAccess& access, bool force = false);
 
-/// Applies an instance after checking it.
-void apply(const EffectInstance& instance, const ParameterAccess& access, pem::CaseParameters& parameters);
+/// Applies an instance after checking it; parameters that it does not state are typical. Effects of the support need
+/// the two-layer support first. Throws parameters::ParameterError like check(), and with key "effect.id" when the case
+/// forbids the effect.
+void apply(const EffectInstance& instance, const ParameterAccess& access, pem::CaseParameters& parameters,
+           bool force = false);
+
+/// The order in which several instances are applied, as indices, whatever the order in which they are listed: first
+/// believed values are put right (parameter-error), then the effects follow in the order of the catalogue.
+std::vector<std::size_t> application_order(const std::vector<EffectInstance>& instances);
+
+/// Applies several in their application_order().
+void apply(const std::vector<EffectInstance>& instances, const ParameterAccess& access, pem::CaseParameters& parameters,
+           bool force = false);
 
 /// The reference page of the library, Markdown.
 std::string describe_effects();

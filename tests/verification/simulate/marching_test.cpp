@@ -10,7 +10,8 @@ namespace {
 pem::CaseParameters rich_case() {
     auto c = paper_case(2);
     c.track.pads.causal = true;
-    c.track.support = {.model = track::SupportModel::two_layer, .mass_kg = 150, .stiffness_n_per_m = 8e7, .damping_n_s_per_m = 8e4};
+    c.track.support = {
+        .model = track::SupportModel::two_layer, .mass_kg = 150, .stiffness_n_per_m = 8e7, .damping_n_s_per_m = 8e4};
     c.vehicle.primary.damper_series_stiffness_n_per_m = 5e6;
     c.vehicle.body_bending = {{}};
     return c;
@@ -40,7 +41,8 @@ double largest_change_db(const simulate::Recording& a, const simulate::Recording
 
 /// A moving record with everything nonlinear, periodic so that no leakage hides or feigns changes.
 simulate::Options nonlinear_options(const pem::CaseParameters& parameters) {
-    auto options = standing_options(parameters, 400.0 * parameters.track.spacing_m / parameters.running.speeds_m_per_s.front());
+    auto options =
+        standing_options(parameters, 400.0 * parameters.track.spacing_m / parameters.running.speeds_m_per_s.front());
     options.mode = simulate::Mode::moving;
     options.linear_contact = false;
     return options;
@@ -77,11 +79,13 @@ TEST(Marching, MoreRailAndFinerMeshChangeLittle) {
     EXPECT_LT(by_mesh, 0.03);
 }
 
-// A track that rings: pads without damping on a two-layer support of low loss. The absorbing ends must keep the rail infinite.
+// A track that rings: pads without damping on a two-layer support of low loss. The absorbing ends must keep the rail
+// infinite.
 TEST(Marching, WindowIsLongEnoughForATrackThatRings) {
     auto c = paper_case(1);
     c.track.pads.damping_n_s_per_m = 5e3;
-    c.track.support = {.model = track::SupportModel::two_layer, .mass_kg = 150, .stiffness_n_per_m = 5e7, .damping_n_s_per_m = 1e4};
+    c.track.support = {
+        .model = track::SupportModel::two_layer, .mass_kg = 150, .stiffness_n_per_m = 5e7, .damping_n_s_per_m = 1e4};
     auto options = nonlinear_options(c);
     const auto reference = simulate::simulate(c, options);
     options.window.margin_m *= 2.0;
@@ -102,7 +106,8 @@ struct Account {
             first_energy = g.energy_j;
         } else {
             dissipated += 0.5 * step * (g.dissipation_w + power);
-            for (std::size_t j = 0; j < 4; ++j) supplied += (0.5 * (g.contact_force_n[j] + force[j]) - static_load) * (g.irregularity_m[j] - height[j]);
+            for (std::size_t j = 0; j < 4; ++j)
+                supplied += (0.5 * (g.contact_force_n[j] + force[j]) - static_load) * (g.irregularity_m[j] - height[j]);
         }
         power = g.dissipation_w;
         last_energy = g.energy_j;
@@ -122,8 +127,8 @@ double missing_share(const pem::CaseParameters& c, double step) {
     return (account.supplied - account.dissipated - (account.last_energy - account.first_energy)) / account.dissipated;
 }
 
-// Trapezoidal sums of powers that reach to 200 Hz err by (2πf·h)²/12 = 5e-3 at the top for steps of 0.2 ms, and by a quarter
-// of it at half the step: what is missing must be that and vanish with it.
+// Trapezoidal sums of powers that reach to 200 Hz err by (2πf·h)²/12 = 5e-3 at the top for steps of 0.2 ms, and by a
+// quarter of it at half the step: what is missing must be that and vanish with it.
 TEST(Marching, EnergyBalanceOfADrivenRun) {
     const auto c = rich_case();
     const double whole = missing_share(c, 0.2e-3);
@@ -143,7 +148,8 @@ TEST(Marching, EnergyBalanceOfAFreeDecay) {
     for (double x = -100.0; x < 300.0; x += 0.05) {
         bump.position_m.push_back(x);
         const double along = (x + 14.5) / 4.0;
-        bump.height_m.push_back(along > 0.0 && along < 1.0 ? 5e-3 * (1.0 - std::cos(2.0 * std::numbers::pi * along)) : 0.0);
+        bump.height_m.push_back(along > 0.0 && along < 1.0 ? 5e-3 * (1.0 - std::cos(2.0 * std::numbers::pi * along))
+                                                           : 0.0);
     }
     options.measured_profile = bump;  // wheel 4, 10.2 m behind the centre of the car, has just left it at time 0
     Account account;
@@ -155,7 +161,8 @@ TEST(Marching, EnergyBalanceOfAFreeDecay) {
     EXPECT_NEAR(account.first_energy - account.last_energy, account.dissipated, 2e-3 * account.first_energy);
 }
 
-// Deep joints throw the wheels off the rail: contact is lost for a while, the force is never tensile, and everything stays finite.
+// Deep joints throw the wheels off the rail: contact is lost for a while, the force is never tensile, and everything
+// stays finite.
 TEST(Marching, ContactIsLostAndFoundAgain) {
     auto c = paper_case(1);
     c.irregularity.joints = {{.spacing_m = 12.0, .depth_m = 4e-3, .length_m = 0.3}};

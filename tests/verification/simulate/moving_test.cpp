@@ -15,11 +15,13 @@ simulate::Options moving_options(const pem::CaseParameters& parameters) {
     return options;
 }
 
-void expect_floor(const pem::CaseParameters& parameters, const simulate::Options& options, double median_db, double largest_db) {
+void expect_floor(const pem::CaseParameters& parameters, const simulate::Options& options, double median_db,
+                  double largest_db) {
     for (const ChannelDifference& d : compare(parameters, options)) {
         EXPECT_LT(d.median_db, median_db) << d.channel;
         EXPECT_LT(d.largest_db, largest_db) << d.channel;
-        if (std::getenv("RAILPEM_PRINT") != nullptr) std::printf("%-10s median %.4f largest %.4f dB\n", d.channel.c_str(), d.median_db, d.largest_db);
+        if (std::getenv("RAILPEM_PRINT") != nullptr)
+            std::printf("%-10s median %.4f largest %.4f dB\n", d.channel.c_str(), d.median_db, d.largest_db);
     }
 }
 
@@ -50,7 +52,8 @@ double line_rms(const std::vector<double>& samples, double rate_hz, double frequ
     const double periods = std::floor(static_cast<double>(samples.size()) / rate_hz * frequency_hz);
     const auto n = static_cast<std::size_t>(std::lround(periods / frequency_hz * rate_hz));
     std::complex<double> sum = 0.0;
-    for (std::size_t i = 0; i < n; ++i) sum += samples[i] * std::polar(1.0, -2.0 * std::numbers::pi * frequency_hz * static_cast<double>(i) / rate_hz);
+    for (std::size_t i = 0; i < n; ++i)
+        sum += samples[i] * std::polar(1.0, -2.0 * std::numbers::pi * frequency_hz * static_cast<double>(i) / rate_hz);
     return std::sqrt(2.0) * std::abs(sum) / static_cast<double>(n);
 }
 
@@ -66,8 +69,8 @@ simulate::Recording smooth_record(pem::CaseParameters c, double speed, int eleme
     return simulate::simulate(c, options);
 }
 
-// The forward model's quasi-static compliance over a bay gives 0.16 m/s² rms (Euler) and 0.62 m/s² (Timoshenko) at the axle
-// boxes at v/spacing; 15 % is the agreed distance, as the one is quasi-static and the other is not.
+// The forward model's quasi-static compliance over a bay gives 0.16 m/s² rms (Euler) and 0.62 m/s² (Timoshenko) at the
+// axle boxes at v/spacing; 15 % is the agreed distance, as the one is quasi-static and the other is not.
 TEST(Moving, SleeperPassingLine) {
     auto c = paper_case(1);
     const double speed = 80.0 / 3.6;
@@ -78,23 +81,24 @@ TEST(Moving, SleeperPassingLine) {
     EXPECT_NEAR(line_rms(timoshenko.channels[0].acceleration_m_per_s2, 1000.0, speed / 0.6), 0.62, 0.15 * 0.62);
 }
 
-// Elements of 0.3 m have their line at 74.1 Hz, where the supports have their second; elements of 0.15 m have it at 148 Hz.
-// What differs between the two at 74.1 Hz is the artefact. Without the local compliance it would be 0.12 m/s² rms
+// Elements of 0.3 m have their line at 74.1 Hz, where the supports have their second; elements of 0.15 m have it at 148
+// Hz. What differs between the two at 74.1 Hz is the artefact. Without the local compliance it would be 0.12 m/s² rms
 // (80 kN·l³/(192·EI) = 1.7 µm between node and mid-element).
 TEST(Moving, NoLineAtSpeedOverElementLength) {
     const double speed = 80.0 / 3.6;
     const double line_hz = speed / 0.3;
     const auto coarse = smooth_record(paper_case(1), speed, 2);
     const auto fine = smooth_record(paper_case(1), speed, 4);
-    const double difference = std::abs(line_rms(coarse.channels[0].acceleration_m_per_s2, 1000.0, line_hz) - line_rms(fine.channels[0].acceleration_m_per_s2, 1000.0, line_hz));
+    const double difference = std::abs(line_rms(coarse.channels[0].acceleration_m_per_s2, 1000.0, line_hz) -
+                                       line_rms(fine.channels[0].acceleration_m_per_s2, 1000.0, line_hz));
     // 0.0017 measured: 45 dB under the irregularity's own 0.35 m/s² in the band of one line of a 60 s record.
     EXPECT_LT(difference, 0.0025);
 }
 
 // A constant load P moving at v on an undamped Euler beam on Winkler foundation k deflects it by
-// P/(8·EI·λ³)/√(1 − α²) under itself, λ⁴ = k/4EI, α = v/(4·k·EI/m²)^{1/4} (Frýba, Vibration of Solids and Structures under
-// Moving Loads, 1999, section 13.1). Supports every 0.2 m are a Winkler foundation within (λ·spacing)⁴ ≈ 2e-4 of their variation; the wheels of a
-// bogie are put 16 m apart, where the deflection has decayed to e^{-λ·16} < 1e-5.
+// P/(8·EI·λ³)/√(1 − α²) under itself, λ⁴ = k/4EI, α = v/(4·k·EI/m²)^{1/4} (Frýba, Vibration of Solids and Structures
+// under Moving Loads, 1999, section 13.1). Supports every 0.2 m are a Winkler foundation within (λ·spacing)⁴ ≈ 2e-4 of
+// their variation; the wheels of a bogie are put 16 m apart, where the deflection has decayed to e^{-λ·16} < 1e-5.
 TEST(Moving, DeflectionUnderAMovingLoad) {
     auto c = paper_case(1);
     c.track.spacing_m = 0.2;

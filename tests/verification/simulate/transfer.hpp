@@ -1,7 +1,7 @@
 #pragma once
-// Comparison line by line: the vehicle stands, a periodic profile is pulled through for exactly one of its periods, and the
-// discrete Fourier transform of every channel over that of the profile under wheel 1 is the transfer function, without
-// leakage and without statistics.
+// Comparison line by line: the vehicle stands, a periodic profile is pulled through for exactly one of its periods, and
+// the discrete Fourier transform of every channel over that of the profile under wheel 1 is the transfer function,
+// without leakage and without statistics.
 
 #include <cmath>
 #include <complex>
@@ -27,7 +27,7 @@ struct BandLevel {
 struct ChannelDifference {
     std::string channel;
     std::vector<BandLevel> bands;
-    double median_db = 0.0;   ///< of the absolute differences
+    double median_db = 0.0;  ///< of the absolute differences
     double largest_db = 0.0;
 };
 
@@ -39,7 +39,8 @@ inline std::vector<std::complex<double>> spectrum_of(const std::vector<double>& 
 }
 
 inline const std::vector<std::string>& solver_names() {
-    static const std::vector<std::string> names{"wheel_1", "wheel_2", "wheel_3", "wheel_4", "bogie_1", "bogie_2", "body_front", "body_rear", "body"};
+    static const std::vector<std::string> names{"wheel_1", "wheel_2",    "wheel_3",   "wheel_4", "bogie_1",
+                                                "bogie_2", "body_front", "body_rear", "body"};
     return names;
 }
 
@@ -69,9 +70,11 @@ inline std::vector<ChannelDifference> compare(pem::CaseParameters parameters, co
     const pem::Solution solution = pem::solve_case(parameters, speed);
     parameters.contact.patch_half_length_m = 0.0;  // the patch is part of the transfer functions
     const simulate::Travel travel{.speed_m_per_s = speed, .wander = {}};
-    const simulate::Excitation excitation = simulate::make_excitation(parameters, options, travel, -1.0, options.seconds, recording.making.step_s);
+    const simulate::Excitation excitation =
+        simulate::make_excitation(parameters, options, travel, -1.0, options.seconds, recording.making.step_s);
     std::vector<double> met(n);
-    for (std::size_t i = 0; i < n; ++i) met[i] = excitation.at(0, 1e9, speed * static_cast<double>(i) / recording.sampling_rate_hz);
+    for (std::size_t i = 0; i < n; ++i)
+        met[i] = excitation.at(0, 1e9, speed * static_cast<double>(i) / recording.sampling_rate_hz);
     const auto met_spectrum = spectrum_of(met);
 
     std::vector<ChannelDifference> differences;
@@ -89,7 +92,9 @@ inline std::vector<ChannelDifference> compare(pem::CaseParameters parameters, co
                 const double s = spectra::irregularity_psd_m2_per_hz(parameters.irregularity, f, speed);
                 if (s <= 0.0) continue;
                 // Lines of sleeper passing: their own test.
-                if (options.mode == simulate::Mode::moving && std::abs(std::remainder(f, speed / parameters.track.spacing_m)) < 0.5 * resolution) continue;
+                if (options.mode == simulate::Mode::moving &&
+                    std::abs(std::remainder(f, speed / parameters.track.spacing_m)) < 0.5 * resolution)
+                    continue;
                 energy_marched += std::norm(marched[k]);
                 energy_solved += std::norm(pseudo[k - 1] / std::sqrt(s) * met_spectrum[k]);
             }

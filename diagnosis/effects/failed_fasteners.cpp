@@ -1,0 +1,64 @@
+#include "diagnosis/effects/catalogue.hpp"
+#include "diagnosis/effects/choices.hpp"
+
+namespace railpem::diagnosis {
+
+Effect failed_fasteners() {
+    return {
+        .id = "failed-fasteners",
+        .says = "some fasteners carry little or nothing, so the rail sags further over them",
+        .equation =
+            "every n-th seat: lines at m·v/(n·spacing) from the deflection under the standing wheels, and a "
+            "receptance averaged over positions; random seats: shot noise with 2p(1 − p)/spacing·|pulse(κ)|²",
+        .source =
+            "Xiao, Jin & Wen 2007, J. Vibration and Acoustics 129 (disabled fasteners); Rice 1944, Bell System "
+            "Technical Journal 23 (shot noise)",
+        .parameters = {{.name = "fraction",
+                        .unit = "1",
+                        .low = 0.005,
+                        .high = 0.3,
+                        .typical = 0.05,
+                        .spread = Spread::logarithmic,
+                        .strength = true,
+                        .nothing = 0.0,
+                        .says = "share of seats that have failed at random"},
+                       {.name = "remaining_stiffness_fraction",
+                        .unit = "1",
+                        .low = 0.0,
+                        .high = 0.9,
+                        .typical = 0.1,
+                        .strength = true,
+                        .nothing = 1.0,
+                        .says = "what is left of stiffness and damping at a failed seat"}},
+        .choices = {{.name = "every",
+                     .options = whole_numbers(2, 100),
+                     .whole_number = true,
+                     .required = false,
+                     .replaces = "fraction",
+                     .says = "every n-th seat has failed, instead of a random share"}},
+        .elements = {Element::pad},
+        .bands = {{1.0, 60.0}},
+        .mimics =
+            "Regular ones look like rail joints or a corrugation whose wavelength is a multiple of the spacing; "
+            "joints have lines up to high orders, fasteners only long waves, and their lines follow the wheel load "
+            "while a shape of the rail does not. Random ones look like a rougher track of long waves "
+            "(irregularity-spectrum); again a second load separates.",
+        .obstacle = [](const pem::CaseParameters& parameters) -> std::optional<Obstacle> {
+            if (parameters.track.failed_fasteners.empty()) return std::nullopt;
+            return Obstacle{"the case has failed fasteners already", "a case without [[track.failed_fasteners]]"};
+        },
+        .apply =
+            [](pem::CaseParameters& parameters, const EffectInstance& effect, const ParameterAccess&) {
+                const auto every = effect.choices.find("every");
+                track::FailedFasteners failed;
+                failed.remaining_stiffness_fraction = effect.values.at("remaining_stiffness_fraction");
+                if (every != effect.choices.end())
+                    failed.every = std::stoi(every->second);
+                else
+                    failed.fraction = effect.values.at("fraction");
+                parameters.track.failed_fasteners.push_back(failed);
+            },
+    };
+}
+
+}  // namespace railpem::diagnosis

@@ -1,0 +1,41 @@
+#include "diagnosis/effects/catalogue.hpp"
+
+namespace railpem::diagnosis {
+
+Effect suspension_friction() {
+    return {
+        .id = "suspension-friction",
+        .says =
+            "there is dry friction in the suspension: it damps strongly when little moves and hardly when much does",
+        .equation =
+            "F·sgn(u̇), by statistical linearisation c = F·√(2/π)/σ with σ the rms velocity that results; adds to "
+            "the case's own",
+        .source =
+            "Roberts & Spanos 1990, Random Vibration and Statistical Linearization; Bruni et al. 2011, Vehicle System "
+            "Dynamics 49",
+        .parameters = {{.name = "force_n",
+                        .unit = "N",
+                        .low = 50.0,
+                        .high = 1e4,
+                        .typical = 1500.0,
+                        .spread = Spread::logarithmic,
+                        .strength = true,
+                        .nothing = 0.0,
+                        .says = "friction force of one element, per rail side"}},
+        .choices = {{.name = "stage", .options = {"primary", "secondary"}, .says = "the stage of the suspension"}},
+        .elements = {Element::primary, Element::secondary},
+        .bands = {{0.5, 50.0}},
+        .mimics =
+            "A stronger damper of that stage (parameter-error) at one level of excitation; a rougher section, or "
+            "another speed, changes the equivalent damping of friction and leaves a damper as it is.",
+        .obstacle = {},
+        .apply =
+            [](pem::CaseParameters& parameters, const EffectInstance& effect, const ParameterAccess&) {
+                vehicle::VehicleParameters& car = parameters.vehicle;
+                (effect.choices.at("stage") == "primary" ? car.primary : car.secondary).friction_force_n +=
+                    effect.values.at("force_n");
+            },
+    };
+}
+
+}  // namespace railpem::diagnosis

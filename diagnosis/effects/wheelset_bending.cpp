@@ -1,0 +1,58 @@
+#include <limits>
+
+#include "diagnosis/effects/catalogue.hpp"
+
+namespace railpem::diagnosis {
+
+Effect wheelset_bending() {
+    return {
+        .id = "wheelset-bending",
+        .says = "the axles bend, so the wheels have a mode of their own beside moving with the wheelset",
+        .equation =
+            "wheel displacement = rigid displacement + q, m(q̈ + 2ζωq̇ + ω²q) = contact force − primary "
+            "suspension; the same on every wheelset",
+        .source =
+            "Popp, Kaiser & Kruse 2003, Archive of Applied Mechanics 72; Chaar & Berg 2006, Vehicle System Dynamics "
+            "44",
+        .parameters = {{.name = "frequency_hz",
+                        .unit = "Hz",
+                        .low = 50.0,
+                        .high = 110.0,
+                        .typical = 80.0,
+                        .says = "first bending frequency of the free wheelset"},
+                       {.name = "damping_ratio",
+                        .unit = "1",
+                        .low = 0.001,
+                        .high = 0.05,
+                        .typical = 0.01,
+                        .spread = Spread::logarithmic,
+                        .says = "damping ratio of the mode"},
+                       {.name = "modal_mass_kg",
+                        .unit = "kg",
+                        .low = 150.0,
+                        .high = 4000.0,
+                        .typical = 900.0,
+                        .spread = Spread::logarithmic,
+                        .strength = true,
+                        .nothing = std::numeric_limits<double>::infinity(),
+                        .says = "modal mass of the whole wheelset for unit displacement at the wheels"}},
+        .elements = {Element::wheel},
+        .bands = {{40.0, 130.0}},
+        .mimics =
+            "A corrugation at one speed; it moves with the speed, the mode does not. A track resonance of the same "
+            "frequency also shows in a receptance of the track alone. Ratios between bogie and axle box do not see "
+            "the mode, because axle box and suspension ride on it.",
+        .obstacle = [](const pem::CaseParameters& parameters) -> std::optional<Obstacle> {
+            if (parameters.vehicle.wheelset_bending.empty()) return std::nullopt;
+            return Obstacle{"the wheelsets of the case bend already", "a case without [[vehicle.wheelset_bending]]"};
+        },
+        .apply =
+            [](pem::CaseParameters& parameters, const EffectInstance& effect, const ParameterAccess&) {
+                parameters.vehicle.wheelset_bending.push_back({.frequency_hz = effect.values.at("frequency_hz"),
+                                                               .damping_ratio = effect.values.at("damping_ratio"),
+                                                               .modal_mass_kg = effect.values.at("modal_mass_kg")});
+            },
+    };
+}
+
+}  // namespace railpem::diagnosis

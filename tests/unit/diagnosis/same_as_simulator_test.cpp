@@ -1,0 +1,45 @@
+// The simulator hides the same physics that the library names: it keeps a list of its own, because it may not know the
+// diagnosis. Every effect of the library exists there with the same parameters, and makes the same case.
+
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+
+#include "app/case_schema.hpp"
+#include "app/effect_tables.hpp"
+#include "simulate/hidden_effects.hpp"
+#include "tests/unit/diagnosis/effect_fixtures.hpp"
+
+namespace railpem::diagnosis {
+namespace {
+
+/// The instance as the simulator's option reads it.
+std::string hide_option(const Effect& effect, const EffectInstance& instance) {
+    std::string text = effect.id;
+    for (const auto& [name, value] : instance.choices)
+        text += fmt::format("{}{}={}", text == effect.id ? ':' : ',', name, value);
+    for (const EffectParameter& parameter : effect.parameters)
+        text += fmt::format("{}{}={}", text == effect.id ? ':' : ',', parameter.name, parameter.typical);
+    return text;
+}
+
+TEST(SameAsSimulator, EveryEffectMakesTheSameCase) {
+    for (const Effect& effect : effects()) {
+        pem::CaseParameters believed = believed_case(effect.id);
+        believed.track.rail.cross_section_m2 = 7.0e-3;  // stated: the simulator does not derive it from the mass
+        const EffectInstance instance = typical_instance(effect);
+        const ParameterAccess access = app::parameter_access(believed);
+        pem::CaseParameters named = believed, hidden = believed;
+        apply(instance, access, named);
+        simulate::OnlyHereParameters only_here;
+        const auto scale = [&](pem::CaseParameters& c, const std::string& key, double factor) {
+            access.set(c, key, factor * access.get(c, key));
+        };
+        simulate::apply_hidden(simulate::parse_hidden(hide_option(effect, instance)), hidden, only_here, scale);
+        EXPECT_EQ(app::write_case(named), app::write_case(hidden)) << effect.id;
+        EXPECT_NE(app::write_case(named), app::write_case(believed)) << effect.id;
+    }
+}
+
+}  // namespace
+}  // namespace railpem::diagnosis
