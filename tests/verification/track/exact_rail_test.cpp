@@ -154,13 +154,14 @@ TEST(ExactRailAccuracy, Table) {
     const std::vector<double> wheels{10.2, 7.93, -7.8, -10.11};
     for (const int index : {0, 1}) {
         const Setting s = setting(index);
-        const track::StaticEquilibrium equilibrium = made_up_equilibrium(s.pads, s.uniform);
-        const track::ExactRail rail = track::exact_rail(s.track, wheels, equilibrium);
-        track::ExactRailWorkspace workspace(rail);
         for (const double frequency : index == 0 ? std::vector{5.0, 66.7, 200.0, 400.0} : std::vector{20.0, 200.0, 1000.0, 3000.0}) {
+            // Less than 1 dB/m near the pinned–pinned frequency: the ends of the reference must be far away.
+            const track::StaticEquilibrium equilibrium = made_up_equilibrium(frequency == 1000.0 ? 701 : s.pads, s.uniform);
+            const track::ExactRail rail = track::exact_rail(s.track, wheels, equilibrium);
+            track::ExactRailWorkspace workspace(rail);
             const track::RailReceptance& exact = track::rail_receptance(rail, same_omega(frequency), workspace);
             const Brute brute = brute_force(s.track, equilibrium.position_m, equilibrium.dynamic_stiffness_n_per_m, wheels, 2.0 * std::numbers::pi * frequency);
-            double largest = 0.0, pad_sum = 0.0;
+            double largest = 0.0, pad_sum = 0.0;  // the reference lacks the pad forces beyond its ends
             for (int i = 0; i < 4; ++i) {
                 pad_sum = std::max(pad_sum, std::abs(exact.trackbed[i][0] - brute.pad_sum(i)));
                 for (int j = 0; j < 4; ++j) largest = std::max(largest, std::abs(exact.at(i, j)[0] - brute.receptance(i, j)));
