@@ -28,7 +28,7 @@ struct SimulateRequest {
     std::vector<std::string> hide, set;
     std::string folder, truth, format = "csv", profile;
     std::optional<double> seconds, speed;
-    std::optional<std::uint64_t> seed, profile_seed;
+    std::optional<std::int64_t> seed, profile_seed;
     double rate_hz = 1000.0, noise = 0.0, speed_fluctuation = 0.0, profile_length_m = 0.0;
     bool list = false, force = false, standing = false;
 };
@@ -48,7 +48,9 @@ void require(bool given, const std::string& option, const std::string& allowed) 
 void check_ranges(const SimulateRequest& request) {
     const auto within = [](double value, double low, double high) { return value >= low && value <= high; };
     if (!within(*request.seconds, 0.0, kMostSeconds)) refuse("--seconds", fmt::format("a record of {:g} s cannot be made", *request.seconds), fmt::format("at most {:g} s", kMostSeconds));
-    if (!within(request.rate_hz, 0.0, kMostRate_hz)) refuse("--rate", fmt::format("cannot be {:g} Hz", request.rate_hz), fmt::format("at most {:g} Hz", kMostRate_hz));
+    for (const auto& [option, seed] : {std::pair("--seed", request.seed), std::pair("--profile-seed", request.profile_seed)})
+        if (seed && *seed < 0) refuse(option, fmt::format("cannot be {}", *seed), "a whole number of at least 0");
+    if (!within(request.rate_hz, 0.0, kMostRate_hz)) refuse("--rate", fmt::format("cannot be {:g} Hz", request.rate_hz), fmt::format("greater than 0, at most {:g} Hz", kMostRate_hz));
     if (*request.seconds * request.rate_hz > kMostSamples)
         refuse("--seconds", fmt::format("{:g} s at {:g} Hz are too many samples", *request.seconds, request.rate_hz), fmt::format("at most {:g} s at this rate", std::floor(kMostSamples / request.rate_hz)));
     if (request.speed && !(*request.speed > 0.0 && *request.speed <= 200.0)) refuse("--speed", fmt::format("cannot be {:g} m/s", *request.speed), "greater than 0, at most 200 m/s");
@@ -77,8 +79,8 @@ simulate::Options simulation_options(const SimulateRequest& request, const CaseW
     options.seconds = *request.seconds;
     options.sampling_rate_hz = request.rate_hz;
     options.speed_m_per_s = request.speed.value_or(0.0);
-    options.seed = *request.seed;
-    options.profile_seed = request.profile_seed;
+    options.seed = static_cast<std::uint64_t>(*request.seed);
+    if (request.profile_seed) options.profile_seed = static_cast<std::uint64_t>(*request.profile_seed);
     options.profile_length_m = request.profile_length_m;
     if (!request.profile.empty()) options.measured_profile = read_profile(request.profile);
     options.speed_fluctuation = request.speed_fluctuation;

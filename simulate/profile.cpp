@@ -92,7 +92,7 @@ double Profile::at(double position_m) const {
 Profile draw_profile(const spectra::IrregularityParameters& irregularity, const ProfileRequest& request) {
     const double stretch = request.to_m - request.from_m;
     if (request.length_m > 0.0 && request.length_m < stretch && !request.may_repeat)
-        throw parameters::ParameterError("profile_length_m", fmt::format("{:g} m of profile for {:g} m of line: it would repeat", request.length_m, stretch), fmt::format("at least {:g} m", stretch));
+        throw parameters::ParameterError("--profile-length", fmt::format("{:g} m of profile for {:g} m of line: it would repeat", request.length_m, stretch), fmt::format("at least {:g} m", stretch));
     const double length = request.length_m > 0.0 ? request.length_m : stretch;
     const std::size_t points = power_of_two_above(points_per_wave * length / request.shortest_wavelength_m);
     Spectrum amplitude(points / 2 + 1);
@@ -103,7 +103,7 @@ Profile draw_profile(const spectra::IrregularityParameters& irregularity, const 
 
 Profile resample_profile(const MeasuredProfile& measured, const ProfileRequest& request) {
     if (measured.position_m.size() < 2 || measured.position_m.front() > request.from_m || measured.position_m.back() < request.to_m)
-        throw parameters::ParameterError("irregularity", fmt::format("the measured profile does not cover {:g} to {:g} m", request.from_m, request.to_m), "a longer profile or a shorter record");
+        throw parameters::ParameterError("--profile", fmt::format("the measured profile does not cover {:g} to {:g} m", request.from_m, request.to_m), "a longer profile or a shorter record");
     const double length = request.to_m - request.from_m;
     const std::size_t points = power_of_two_above(points_per_wave * length / request.shortest_wavelength_m);
     Profile profile{.first_m = request.from_m, .step_m = length / static_cast<double>(points - 1), .height_m = std::vector<double>(points), .periodic = false};
