@@ -57,13 +57,18 @@ Outcome Folder::run(const std::vector<std::string>& arguments) const {
     return {.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1, .output = text_of(out), .message = text_of(err)};
 }
 
-void Folder::write(const std::string& name, const std::string& text) const { std::ofstream(path_ / name, std::ios::binary) << text; }
+void Folder::write(const std::string& name, const std::string& text) const {
+    std::ofstream(path_ / name, std::ios::binary) << text;
+}
 
-std::string Folder::read(const std::string& name) const { return text_of(path_ / name); }
+std::string Folder::read(const std::string& name) const {
+    return text_of(path_ / name);
+}
 
 std::vector<std::string> Folder::content() const {
     std::vector<std::string> names;
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(path_)) names.push_back(fs::relative(entry.path(), path_).string());
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(path_))
+        names.push_back(fs::relative(entry.path(), path_).string());
     std::sort(names.begin(), names.end());
     return names;
 }

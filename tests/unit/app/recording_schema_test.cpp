@@ -19,14 +19,18 @@ std::string text_of(const fs::path& file) {
 }
 
 TEST(RecordingSchema, PageIsUpToDate) {
-    EXPECT_EQ(text_of(fs::path(RAILPEM_SOURCE_DIR) / "docs/recording.md"), describe_recording()) << "run: railpem describe recording > docs/recording.md";
+    EXPECT_EQ(text_of(fs::path(RAILPEM_SOURCE_DIR) / "docs/recording.md"), describe_recording())
+        << "run: railpem describe recording > docs/recording.md";
 }
 
 TEST(RecordingSchema, FolderAndFileMeanTheSame) {
     std::string name = (fs::temp_directory_path() / "railpem_schema_XXXXXX").string();
     const fs::path folder = mkdtemp(name.data());
-    std::ofstream(folder / "recording.toml") << "speed_m_per_s = 20\ndata = \"recording.wav\"\n[[channel]]\nname = \"a\"\nquantity = \"velocity\"\nlocation = \"body\"\nposition_m = -9\n";
-    const RecordingFile by_folder = read_recording(folder.string()), by_file = read_recording((folder / "recording.toml").string());
+    std::ofstream(folder / "recording.toml")
+        << "speed_m_per_s = 20\ndata = \"recording.wav\"\n[[channel]]\nname = \"a\"\nquantity = \"velocity\"\nlocation "
+           "= \"body\"\nposition_m = -9\n";
+    const RecordingFile by_folder = read_recording(folder.string()),
+                        by_file = read_recording((folder / "recording.toml").string());
     fs::remove_all(folder);
     for (const RecordingFile& file : {by_folder, by_file}) {
         EXPECT_EQ(file.name, folder.filename().string());
