@@ -22,10 +22,13 @@ InputError refused_option(const ParameterError& error) {
     return input_error("", "", {.option = key}, {.what = error.problem(), .allowed = error.allowed(), .hint = ""});
 }
 
-InputError unknown_name(const std::string& option, const std::string& what, const std::string& name, const std::vector<std::string>& known) {
+InputError unknown_name(const std::string& option, const std::string& what, const std::string& name,
+                        const std::vector<std::string>& known) {
     const std::string near = nearest_key(name, known);
     return input_error("", "", {.option = option},
-                       {.what = fmt::format("unknown {} '{}'", what, name), .allowed = joined(known), .hint = near.empty() ? "" : fmt::format("did you mean '{}'?", near)});
+                       {.what = fmt::format("unknown {} '{}'", what, name),
+                        .allowed = joined(known),
+                        .hint = near.empty() ? "" : fmt::format("did you mean '{}'?", near)});
 }
 
 const HiddenEffect& find_effect(const std::string& option, const std::string& id) {
@@ -56,7 +59,8 @@ void check_names(const std::string& text) {
     std::vector<std::string> known;
     for (const HiddenParameter& parameter : effect.parameters) known.push_back(parameter.name);
     for (const std::string& name : parameter_names(text))
-        if (std::find(known.begin(), known.end(), name) == known.end()) throw unknown_name(option, "parameter", name, known);
+        if (std::find(known.begin(), known.end(), name) == known.end())
+            throw unknown_name(option, "parameter", name, known);
 }
 
 /// Multiplies a number of the case, for the effect `parameter-error`.
@@ -68,19 +72,25 @@ void scale_number(pem::CaseParameters& parameters, const std::string& key, doubl
         if (number.key != key_text(key_steps(key))) continue;
         const double value = number.get(parameters) * factor;
         if (!number.description.range.contains(value))
-            throw input_error("", "", {.option = option}, {.what = fmt::format("{:g} times its value cannot be", factor), .allowed = allowed_text(number.description), .hint = ""});
+            throw input_error("", "", {.option = option},
+                              {.what = fmt::format("{:g} times its value cannot be", factor),
+                               .allowed = allowed_text(number.description),
+                               .hint = ""});
         number.set(parameters, value);
         return;
     }
     const std::string near = nearest_key(key, known);
     throw input_error("", "", {.option = option},
-                      {.what = "the case has no such number", .allowed = "a dotted key of a number; railpem describe case lists them", .hint = near.empty() ? "" : fmt::format("did you mean '{}'?", near)});
+                      {.what = "the case has no such number",
+                       .allowed = "a dotted key of a number; railpem describe case lists them",
+                       .hint = near.empty() ? "" : fmt::format("did you mean '{}'?", near)});
 }
 
 std::string parameter_line(const HiddenParameter& p) {
     if (p.is_text) return fmt::format("    {:<28} text, required: {}\n", p.name, p.says);
     const std::string unit = p.unit == "1" ? "" : " " + p.unit;
-    return fmt::format("    {:<28} {:g} to {:g}{}, default {:g}: {}\n", p.name, p.low, p.high, unit, p.standard, p.says);
+    return fmt::format("    {:<28} {:g} to {:g}{}, default {:g}: {}\n", p.name, p.low, p.high, unit, p.standard,
+                       p.says);
 }
 
 std::string effect_lines(const HiddenEffect& effect) {
@@ -107,7 +117,8 @@ std::vector<simulate::Hidden> read_hide_options(const std::vector<std::string>& 
 CaseWithHidden hide_in_case(const pem::CaseParameters& believed, const std::vector<simulate::Hidden>& hidden) {
     CaseWithHidden with{.parameters = believed, .only_here = {}};
     try {
-        for (const simulate::Hidden& effect : hidden) simulate::apply_hidden(effect, with.parameters, with.only_here, scale_number);
+        for (const simulate::Hidden& effect : hidden)
+            simulate::apply_hidden(effect, with.parameters, with.only_here, scale_number);
         pem::check(with.parameters);
     } catch (const ParameterError& error) {
         throw refused_option(error);
@@ -116,8 +127,10 @@ CaseWithHidden hide_in_case(const pem::CaseParameters& believed, const std::vect
 }
 
 std::string effects_list() {
-    std::string catalogue = "Effects that diagnose knows:\n", only_here = "\nEffects that exist only in simulate; diagnose does not know their names:\n";
-    for (const HiddenEffect& effect : simulate::hidden_effects()) (effect.only_here ? only_here : catalogue) += effect_lines(effect);
+    std::string catalogue = "Effects that diagnose knows:\n",
+                only_here = "\nEffects that exist only in simulate; diagnose does not know their names:\n";
+    for (const HiddenEffect& effect : simulate::hidden_effects())
+        (effect.only_here ? only_here : catalogue) += effect_lines(effect);
     return catalogue + only_here;
 }
 

@@ -26,12 +26,15 @@ recordings::VehicleGeometry geometry_of(const vehicle::VehicleParameters& vehicl
 }
 
 std::string numbered_response(const ChannelDescription& channel) {
-    const char* where = channel.location == Location::wheel ? "wheel" : channel.location == Location::bogie ? "bogie" : "rail";
+    const char* where = channel.location == Location::wheel   ? "wheel"
+                        : channel.location == Location::bogie ? "bogie"
+                                                              : "rail";
     return fmt::format("{}_{}", where, channel.index);
 }
 
 /// Weights of the responses whose sum is the acceleration at the channel; empty: the case cannot predict it.
-std::vector<std::pair<std::size_t, double>> weights_of(const ChannelDescription& channel, const pem::CaseParameters& parameters) {
+std::vector<std::pair<std::size_t, double>> weights_of(const ChannelDescription& channel,
+                                                       const pem::CaseParameters& parameters) {
     if (channel.location == Location::none) return {};
     if (channel.location != Location::body) return {{pem::response_index(numbered_response(channel)), 1.0}};
     const double share = channel.position_m / (0.5 * parameters.vehicle.bogie_distance_m);
@@ -39,19 +42,27 @@ std::vector<std::pair<std::size_t, double>> weights_of(const ChannelDescription&
     const bool rigid = parameters.vehicle.body_bending.empty();
     if (!rigid && std::abs(share) > kSamePlace && std::abs(std::abs(share) - 1.0) > kSamePlace) return {};
     const double front = 0.5 * (std::abs(share) + share), rear = 0.5 * (std::abs(share) - share);
-    return {{pem::response_index("body"), 1.0 - std::abs(share)}, {pem::response_index("body_front"), front}, {pem::response_index("body_rear"), rear}};
+    return {{pem::response_index("body"), 1.0 - std::abs(share)},
+            {pem::response_index("body_front"), front},
+            {pem::response_index("body_rear"), rear}};
 }
 
 /// From acceleration to the quantity of the channel, as a factor of the PSD.
 double psd_factor(ChannelQuantity quantity, double frequency_hz) {
     const double omega = 2.0 * std::numbers::pi * frequency_hz;
-    return quantity == ChannelQuantity::velocity ? 1.0 / (omega * omega) : quantity == ChannelQuantity::displacement ? 1.0 / std::pow(omega, 4) : 1.0;
+    return quantity == ChannelQuantity::velocity       ? 1.0 / (omega * omega)
+           : quantity == ChannelQuantity::displacement ? 1.0 / std::pow(omega, 4)
+                                                       : 1.0;
 }
 
-std::optional<recordings::PredictedSpectrum> predict(const pem::Solution& solution, const ChannelDescription& channel, const pem::CaseParameters& parameters) {
+std::optional<recordings::PredictedSpectrum> predict(const pem::Solution& solution, const ChannelDescription& channel,
+                                                     const pem::CaseParameters& parameters) {
     const auto weights = weights_of(channel, parameters);
-    if (weights.empty() || channel.quantity == ChannelQuantity::speed || channel.quantity == ChannelQuantity::mileage) return std::nullopt;
-    recordings::PredictedSpectrum predicted{.channel = channel.name, .frequency_hz = solution.frequency_hz, .psd = std::vector<double>(solution.frequency_hz.size(), 0.0)};
+    if (weights.empty() || channel.quantity == ChannelQuantity::speed || channel.quantity == ChannelQuantity::mileage)
+        return std::nullopt;
+    recordings::PredictedSpectrum predicted{.channel = channel.name,
+                                            .frequency_hz = solution.frequency_hz,
+                                            .psd = std::vector<double>(solution.frequency_hz.size(), 0.0)};
     for (std::size_t source = 0; source < solution.source_names.size(); ++source)
         for (std::size_t line = 0; line < predicted.psd.size(); ++line) {
             Complex sum = 0.0;
@@ -67,13 +78,18 @@ recordings::InspectionContext inspection_beliefs(const CaseFile& believed, const
     pem::CaseParameters parameters = believed.parameters;
     if (recording.states("payload_kg")) parameters.vehicle.payload_kg = recording.description.payload_kg;
     const double stated = recording.description.speed_m_per_s;
-    recordings::InspectionContext context{.geometry = geometry_of(parameters.vehicle), .wheel_radius_m = parameters.vehicle.wheel_radius_m, .sleeper_spacing_m = parameters.track.spacing_m, .predicted = {}};
+    recordings::InspectionContext context{.geometry = geometry_of(parameters.vehicle),
+                                          .wheel_radius_m = parameters.vehicle.wheel_radius_m,
+                                          .sleeper_spacing_m = parameters.track.spacing_m,
+                                          .predicted = {}};
     if (recording.description.kind != recordings::RecordingKind::timeseries) return context;
     try {
         pem::check(parameters);
-        const pem::Solution solution = pem::solve_case(parameters, stated > 0.0 ? stated : parameters.running.speeds_m_per_s.front());
+        const pem::Solution solution =
+            pem::solve_case(parameters, stated > 0.0 ? stated : parameters.running.speeds_m_per_s.front());
         for (const ChannelDescription& channel : recording.description.channels)
-            if (auto predicted = predict(solution, channel, parameters)) context.predicted.push_back(std::move(*predicted));
+            if (auto predicted = predict(solution, channel, parameters))
+                context.predicted.push_back(std::move(*predicted));
     } catch (const parameters::ParameterError& error) {
         throw refused(believed.document, error);
     }

@@ -92,8 +92,7 @@ void OutputFolder::make_folders() {
 }
 
 const OutputFolder::File& OutputFolder::add_file(const std::string& name) {
-    return files_.emplace_back(
-        File{folder_ / fmt::format(".{}.{}.partial", name, ::getpid()), folder_ / name});
+    return files_.emplace_back(File{folder_ / fmt::format(".{}.{}.partial", name, ::getpid()), folder_ / name});
 }
 
 void OutputFolder::write(const std::string& name, const std::string& content) {

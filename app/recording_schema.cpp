@@ -25,17 +25,21 @@ Table<RecordingDescription> recording_table() {
 }
 
 constexpr const char* kIntroduction =
-    "A recording is a TOML file that says what was measured where, and a data file. Verbs take the TOML file, or the folder in\n"
-    "which it is called `recording.toml`. All channels are positive in the same vertical direction. What the file does not say\n"
+    "A recording is a TOML file that says what was measured where, and a data file. Verbs take the TOML file, or the "
+    "folder in\n"
+    "which it is called `recording.toml`. All channels are positive in the same vertical direction. What the file does "
+    "not say\n"
     "(a speed, a sampling rate that the data file holds) may be left out; nothing is guessed.\n\n"
     "| kind | the data file holds |\n"
     "|---|---|\n"
-    "| `timeseries` | the samples of every channel: .csv (.gz), .mat (v5, v7.3), .uff or .unv (dataset 58, 58b), .wav, .h5 |\n"
+    "| `timeseries` | the samples of every channel: .csv (.gz), .mat (v5, v7.3), .uff or .unv (dataset 58, 58b), .wav, "
+    ".h5 |\n"
     "| `psd` | CSV: `frequency_hz`, and per channel its PSD in the channel's unit squared per Hz |\n"
     "| `points` | CSV: `channel`, `frequency_hz`, `value`, as a paper quotes them; optional `standard_error` |\n"
     "| `receptance` | CSV: `frequency_hz`, and `re_m_per_n`, `im_m_per_n` or `magnitude_m_per_n` |\n"
     "| `decay-rate` | CSV: `centre_hz`, `decay_rate_db_per_m`; optional `standard_error_db_per_m` |\n\n"
-    "A CSV file has a header row; fields end in a comma, a semicolon, a tab or blanks, numbers have a decimal point or comma, lines\n"
+    "A CSV file has a header row; fields end in a comma, a semicolon, a tab or blanks, numbers have a decimal point or "
+    "comma, lines\n"
     "that start with `#`, `%` or `//` are comments, and an empty field is a missing sample.\n\n"
     "This page is printed by `railpem describe recording` from the same description that reads the file.";
 
@@ -45,12 +49,20 @@ fs::path description_path(const std::string& path) {
     if (fs::is_directory(path, status)) {
         const fs::path inside = fs::path(path) / kDescriptionName;
         if (!fs::exists(inside, status))
-            throw InputError(fmt::format("{}: the folder holds no {}\nallowed: the folder of a recording, or its description", path, kDescriptionName));
+            throw InputError(
+                fmt::format("{}: the folder holds no {}\nallowed: the folder of a recording, or its description", path,
+                            kDescriptionName));
         return inside;
     }
-    static const std::array<std::string, 12> data_endings{".csv", ".gz", ".mat", ".uff", ".unv", ".wav", ".w64", ".rf64", ".h5", ".hdf5", ".txt", ".tsv"};
-    if (std::find(data_endings.begin(), data_endings.end(), fs::path(path).extension().string()) != data_endings.end() && fs::exists(path, status))
-        throw InputError(fmt::format("{}: is data without its description\nallowed: a TOML file that names it in `data`; railpem describe recording says how", path));
+    static const std::array<std::string, 12> data_endings{".csv", ".gz",   ".mat", ".uff",  ".unv", ".wav",
+                                                          ".w64", ".rf64", ".h5",  ".hdf5", ".txt", ".tsv"};
+    if (std::find(data_endings.begin(), data_endings.end(), fs::path(path).extension().string()) !=
+            data_endings.end() &&
+        fs::exists(path, status))
+        throw InputError(
+            fmt::format("{}: is data without its description\nallowed: a TOML file that names it in `data`; railpem "
+                        "describe recording says how",
+                        path));
     return path;
 }
 
@@ -66,7 +78,9 @@ void check_irregularity(const RecordingFile& file) {
     const fs::path path = file.base / file.description.irregularity;
     if (!fs::exists(path, status))
         throw file.document.error(file.document.root.find("irregularity")->node.place,
-                                  {.what = fmt::format("there is no file '{}'", path.string()), .allowed = "a path relative to this file", .hint = ""});
+                                  {.what = fmt::format("there is no file '{}'", path.string()),
+                                   .allowed = "a path relative to this file",
+                                   .hint = ""});
 }
 
 }  // namespace
@@ -78,7 +92,10 @@ const TableSchema& recording_schema() {
 
 RecordingFile read_recording(const std::string& path) {
     const fs::path file = description_path(path);
-    RecordingFile recording{.name = recording_name(file), .base = file.parent_path(), .description = {}, .document = read_document(file.string())};
+    RecordingFile recording{.name = recording_name(file),
+                            .base = file.parent_path(),
+                            .description = {},
+                            .document = read_document(file.string())};
     read_table(recording.document, recording_schema(), &recording.description);
     try {
         recordings::check(recording.description);
@@ -89,11 +106,14 @@ RecordingFile read_recording(const std::string& path) {
     return recording;
 }
 
-bool is_recording(const Document& document) { return document.root.find("data") != nullptr || document.root.find("channel") != nullptr; }
+bool is_recording(const Document& document) {
+    return document.root.find("data") != nullptr || document.root.find("channel") != nullptr;
+}
 
 InputError refused(const recordings::ReadError& error) {
     const std::string place = error.line() > 0 ? fmt::format("{}:{}", error.file(), error.line()) : error.file();
-    return InputError(fmt::format("{}: {}{}{}", place, error.problem(), error.allowed().empty() ? "" : "\nallowed: ", error.allowed()));
+    return InputError(fmt::format("{}: {}{}{}", place, error.problem(),
+                                  error.allowed().empty() ? "" : "\nallowed: ", error.allowed()));
 }
 
 std::string describe_recording() {

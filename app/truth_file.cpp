@@ -13,7 +13,8 @@ using nlohmann::ordered_json;
 std::string truth_text(const Truth& truth, const simulate::Recording& recording) {
     const simulate::Options& options = truth.options;
     ordered_json effects = ordered_json::array();
-    for (const simulate::Hidden& hidden : truth.hidden) effects.push_back(ordered_json::parse(simulate::hidden_json(hidden)));
+    for (const simulate::Hidden& hidden : truth.hidden)
+        effects.push_back(ordered_json::parse(simulate::hidden_json(hidden)));
     const auto is_forced = [](const simulate::Hidden& hidden) { return hidden.forced; };
     ordered_json json{{"case", truth.case_path},
                       {"set", truth.set_options},

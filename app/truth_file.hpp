@@ -13,9 +13,9 @@ namespace railpem::app {
 /// What a simulated recording was made of.
 struct Truth {
     std::string case_path;
-    std::vector<std::string> set_options;    ///< as given to --set
+    std::vector<std::string> set_options;  ///< as given to --set
     std::vector<simulate::Hidden> hidden;
-    pem::CaseParameters parameters;          ///< of the case, with what is hidden in it
+    pem::CaseParameters parameters;  ///< of the case, with what is hidden in it
     simulate::Options options;
 };
 

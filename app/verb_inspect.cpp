@@ -35,33 +35,44 @@ std::vector<RecordingFile> read_recordings(const InspectRequest& request) {
         files.push_back(read_recording(path));
         const auto [earlier, is_new] = taken.emplace(files.back().name, path);
         if (!is_new && !request.folder.empty())
-            throw InputError(fmt::format("{}: its page would be called {}.inspection.html, like that of {}\nallowed: recordings of different names", path, files.back().name, earlier->second));
+            throw InputError(
+                fmt::format("{}: its page would be called {}.inspection.html, like that of {}\nallowed: recordings of "
+                            "different names",
+                            path, files.back().name, earlier->second));
     }
     return files;
 }
 
 void check_outputs(const InspectRequest& request) {
     if (!request.html.empty() && request.recordings.size() > 1)
-        throw InputError(fmt::format("--html {}: one page cannot hold {} recordings\nallowed: one recording, or --out DIR", request.html, request.recordings.size()));
+        throw InputError(
+            fmt::format("--html {}: one page cannot hold {} recordings\nallowed: one recording, or --out DIR",
+                        request.html, request.recordings.size()));
     std::error_code ignored;
-    if (!request.html.empty() && fs::is_directory(request.html, ignored)) throw InputError(fmt::format("--html {}: is a folder\nallowed: a file, or --out DIR", request.html));
-    if (!request.options.empty() && request.case_path.empty()) throw InputError("--set: there is no case to set it in\nallowed: with --case CASE");
+    if (!request.html.empty() && fs::is_directory(request.html, ignored))
+        throw InputError(fmt::format("--html {}: is a folder\nallowed: a file, or --out DIR", request.html));
+    if (!request.options.empty() && request.case_path.empty())
+        throw InputError("--set: there is no case to set it in\nallowed: with --case CASE");
 }
 
-std::vector<recordings::InspectionReport> inspect_all(const InspectRequest& request, const std::vector<RecordingFile>& files) {
+std::vector<recordings::InspectionReport> inspect_all(const InspectRequest& request,
+                                                      const std::vector<RecordingFile>& files) {
     std::optional<CaseFile> believed;
     if (!request.case_path.empty()) believed = read_case(request.case_path, request.options);
     std::vector<recordings::InspectionReport> reports;
     for (const RecordingFile& file : files) {
-        const recordings::InspectionContext context = believed ? inspection_beliefs(*believed, file) : recordings::InspectionContext{};
-        reports.push_back(reading_data(file, [&] { return recordings::inspect_file(file.description, file.base, context); }));
+        const recordings::InspectionContext context =
+            believed ? inspection_beliefs(*believed, file) : recordings::InspectionContext{};
+        reports.push_back(
+            reading_data(file, [&] { return recordings::inspect_file(file.description, file.base, context); }));
     }
     return reports;
 }
 
 void print_reports(const InspectRequest& request, const std::vector<recordings::InspectionReport>& reports) {
     if (!request.json) {
-        for (std::size_t i = 0; i < reports.size(); ++i) std::fputs(((i > 0 ? "\n" : "") + recordings::to_text(reports[i])).c_str(), stdout);
+        for (std::size_t i = 0; i < reports.size(); ++i)
+            std::fputs(((i > 0 ? "\n" : "") + recordings::to_text(reports[i])).c_str(), stdout);
         return;
     }
     nlohmann::ordered_json all = nlohmann::ordered_json::array();
@@ -91,13 +102,22 @@ int inspect(const InspectRequest& request) {
 
 void add_inspect(CLI::App& program, Run& run) {
     const auto request = std::make_shared<InspectRequest>();
-    CLI::App* verb = program.add_subcommand("inspect", "what recordings hold, and whether they can be trusted: a screen of text");
-    verb->add_option("RECORDING", request->recordings, "recordings: folders with a recording.toml, or descriptions")->required();
-    verb->add_flag("--json", request->json, "print everything as JSON instead; a list when there are several recordings");
+    CLI::App* verb =
+        program.add_subcommand("inspect", "what recordings hold, and whether they can be trusted: a screen of text");
+    verb->add_option("RECORDING", request->recordings, "recordings: folders with a recording.toml, or descriptions")
+        ->required();
+    verb->add_flag("--json", request->json,
+                   "print everything as JSON instead; a list when there are several recordings");
     verb->add_option("--html", request->html, "also a page with spectra, coherence and spectrogram")->type_name("FILE");
-    verb->add_option("--out", request->folder, "also DIR/<recording>.inspection.html and .json for every recording")->type_name("DIR");
-    verb->add_option("--case", request->case_path, "case file that is believed: units, levels, wheelbase and named frequencies are checked against it")->type_name("CASE");
-    verb->add_option("--set", request->options, "override a key of the case: key=value")->type_name("KEY=VALUE")->allow_extra_args(false);
+    verb->add_option("--out", request->folder, "also DIR/<recording>.inspection.html and .json for every recording")
+        ->type_name("DIR");
+    verb->add_option(
+            "--case", request->case_path,
+            "case file that is believed: units, levels, wheelbase and named frequencies are checked against it")
+        ->type_name("CASE");
+    verb->add_option("--set", request->options, "override a key of the case: key=value")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
     verb->callback([request, &run] { run = [request] { return inspect(*request); }; });
 }
 

@@ -15,7 +15,9 @@ namespace railpem::app {
 namespace {
 
 /// Every input file says what it is by its keys: only a sweep names a case, only a recording has data.
-bool is_sweep(const Document& document) { return document.root.find("case") != nullptr; }
+bool is_sweep(const Document& document) {
+    return document.root.find("case") != nullptr;
+}
 
 int valid(const std::string& path, const std::string& kind, const std::string& title) {
     fmt::print("{}: a valid {}{}{}\n", path, kind, title.empty() ? "" : ": ", title);
@@ -26,7 +28,9 @@ int valid(const std::string& path, const std::string& kind, const std::string& t
 int validate_recording(const std::string& path) {
     const RecordingFile file = read_recording(path);
     constexpr std::size_t kSection = 600000;  // samples per channel held at once
-    reading_data(file, [&] { recordings::load_in_sections(file.description, file.base, kSection, [](const recordings::Recording&) {}); });
+    reading_data(file, [&] {
+        recordings::load_in_sections(file.description, file.base, kSection, [](const recordings::Recording&) {});
+    });
     return valid(path, "recording", file.description.title);
 }
 

@@ -93,9 +93,9 @@ void read_value(const HiddenEffect& effect, const std::string& item, bool force,
     const double value = read_number(key, text);
     const bool inside = value >= parameter.low && value <= parameter.high;
     if (!inside && !force)
-        throw ParameterError(
-            key, fmt::format("{:g} is outside the physical range", value),
-            fmt::format("between {:g} and {:g} {}, or --force", parameter.low, parameter.high, parameter.unit));
+        throw ParameterError(key, fmt::format("{:g} is outside the physical range", value),
+                             fmt::format("between {:g} and {:g}{}, or --force", parameter.low, parameter.high,
+                                         parameter.unit == "1" ? "" : " " + parameter.unit));
     hidden.forced = hidden.forced || !inside;
     hidden.values.numbers[name] = value;
 }

@@ -101,7 +101,7 @@ Profile draw_profile(const spectra::IrregularityParameters& irregularity, const 
     const double stretch = request.to_m - request.from_m;
     if (request.length_m > 0.0 && request.length_m < stretch && !request.may_repeat)
         throw parameters::ParameterError(
-            "profile_length_m",
+            "--profile-length",
             fmt::format("{:g} m of profile for {:g} m of line: it would repeat", request.length_m, stretch),
             fmt::format("at least {:g} m", stretch));
     const double length = request.length_m > 0.0 ? request.length_m : stretch;
@@ -116,7 +116,7 @@ Profile resample_profile(const MeasuredProfile& measured, const ProfileRequest& 
     if (measured.position_m.size() < 2 || measured.position_m.front() > request.from_m ||
         measured.position_m.back() < request.to_m)
         throw parameters::ParameterError(
-            "irregularity",
+            "--profile",
             fmt::format("the measured profile does not cover {:g} to {:g} m", request.from_m, request.to_m),
             "a longer profile or a shorter record");
     const double length = request.to_m - request.from_m;

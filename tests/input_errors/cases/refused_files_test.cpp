@@ -20,9 +20,13 @@ TEST(RefusedFiles, NoSuchFile) {
 
 TEST(RefusedFiles, FolderInPlaceOfAFile) {
     const ProgramFolder folder;
-    const Outcome outcome = folder.run({"validate", "."});
-    EXPECT_EQ(outcome.status, 2);
-    EXPECT_EQ(outcome.message, ".: is a folder\nallowed: a TOML file\n");
+    const Outcome solved = folder.run({"solve", ".", "--out", "results"});
+    EXPECT_EQ(solved.status, 2);
+    EXPECT_EQ(solved.message, ".: is a folder\nallowed: a TOML file\n");
+    const Outcome validated = folder.run({"validate", "."});  // a folder may be a recording
+    EXPECT_EQ(validated.status, 2);
+    EXPECT_EQ(validated.message,
+              ".: the folder holds no recording.toml\nallowed: the folder of a recording, or its description\n");
 }
 
 TEST(RefusedFiles, EnormousFile) {
