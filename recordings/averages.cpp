@@ -13,37 +13,48 @@ namespace {
 /// Bins beyond this distance share nothing that counts: with a Hann window |c|² < 1e-5 from three bins on.
 constexpr std::size_t covariance_reach = 16;
 
-/// |c(b, j)|² for the overlap j.
-double overlap_coherence(const std::vector<double>& window, std::size_t hop, std::size_t bins, std::size_t j) {
-    std::complex<double> sum = 0.0;
-    double energy = 0.0;
-    const double step = 2.0 * std::numbers::pi * static_cast<double>(bins) / static_cast<double>(window.size());
-    for (std::size_t n = 0; n < window.size(); ++n) {
-        energy += window[n] * window[n];
-        if (n + j * hop < window.size()) sum += window[n] * window[n + j * hop] * std::polar(1.0, step * static_cast<double>(n));
+/// |c(b, j)|² for every distance in bins and every overlap j of one window and hop.
+std::vector<std::vector<double>> overlap_coherences(const Segmentation& segments) {
+    // The closed form depends on n/N only: a window of a few hundred points gives the same sums as one of many thousands.
+    constexpr std::size_t enough = 512;
+    const bool reduce = segments.length > enough && (segments.hop * enough) % segments.length == 0;
+    const std::size_t length = reduce ? enough : segments.length, hop = reduce ? segments.hop * enough / segments.length : segments.hop;
+    const std::vector<double> window = window_samples(segments.window, length);
+    const double energy = std::inner_product(window.begin(), window.end(), window.begin(), 0.0);
+    std::vector<std::vector<double>> result;
+    for (std::size_t bins = 0; bins <= covariance_reach; ++bins) {
+        result.emplace_back();
+        const double step = 2.0 * std::numbers::pi * static_cast<double>(bins) / static_cast<double>(length);
+        for (std::size_t shift = 0; shift < length; shift += hop) {
+            std::complex<double> sum = 0.0;
+            for (std::size_t n = 0; n + shift < length; ++n) sum += window[n] * window[n + shift] * std::polar(1.0, step * static_cast<double>(n));
+            result.back().push_back(std::norm(sum) / (energy * energy));
+        }
     }
-    return std::norm(sum) / (energy * energy);
+    return result;
 }
 
-double covariance(const std::vector<double>& window, const Segmentation& segments, std::size_t bins) {
-    const auto count = static_cast<double>(segments.count);
-    double sum = overlap_coherence(window, segments.hop, bins, 0);
-    for (std::size_t j = 1; j < segments.count && j * segments.hop < segments.length; ++j)
-        sum += 2.0 * (1.0 - static_cast<double>(j) / count) * overlap_coherence(window, segments.hop, bins, j);
-    return sum / count;
+/// The same, remembered for the window and hop last asked for: bands and parts of a record ask for it thousands of times.
+const std::vector<std::vector<double>>& remembered_coherences(const Segmentation& segments) {
+    thread_local Segmentation known;
+    thread_local std::vector<std::vector<double>> table;
+    if (table.empty() || known.window != segments.window || known.length != segments.length || known.hop != segments.hop) {
+        table = overlap_coherences(segments);
+        known = segments;
+    }
+    return table;
 }
 
 }  // namespace
 
 double relative_bin_covariance(const Segmentation& segments, std::size_t bins) {
     assert(segments.count > 0 && segments.hop > 0);
-    // The closed form depends on n/N only: a window of a few hundred points gives the same sums as one of many thousands.
-    constexpr std::size_t enough = 512;
-    if (segments.length > enough && (segments.hop * enough) % segments.length == 0) {
-        const Segmentation reduced{segments.window, enough, segments.hop * enough / segments.length, segments.count};
-        return covariance(window_samples(reduced.window, enough), reduced, bins);
-    }
-    return covariance(window_samples(segments.window, segments.length), segments, bins);
+    if (bins > covariance_reach) return 0.0;
+    const std::vector<double>& coherence = remembered_coherences(segments)[bins];
+    const auto count = static_cast<double>(segments.count);
+    double sum = coherence[0];
+    for (std::size_t j = 1; j < segments.count && j < coherence.size(); ++j) sum += 2.0 * (1.0 - static_cast<double>(j) / count) * coherence[j];
+    return sum / count;
 }
 
 double independent_averages(const Segmentation& segments) { return 1.0 / relative_bin_covariance(segments, 0); }

@@ -37,13 +37,24 @@ bool complete(const std::vector<double>& samples, std::size_t begin, std::size_t
     return std::all_of(samples.begin() + static_cast<std::ptrdiff_t>(begin), samples.begin() + static_cast<std::ptrdiff_t>(begin + length), [](double x) { return std::isfinite(x); });
 }
 
+/// Tapers of the length last asked for: all channels of a record use the same.
+const std::vector<std::vector<double>>& remembered_tapers(std::size_t length, const LineOptions& options) {
+    thread_local std::vector<std::vector<double>> tapers;
+    thread_local double half_bandwidth = 0.0;
+    if (tapers.size() != static_cast<std::size_t>(options.tapers) || tapers[0].size() != length || half_bandwidth != options.half_bandwidth) {
+        tapers = slepian_tapers(length, options.half_bandwidth, static_cast<std::size_t>(options.tapers));
+        half_bandwidth = options.half_bandwidth;
+    }
+    return tapers;
+}
+
 LineSums line_sums(const std::vector<double>& all, double rate, const LineOptions& options) {
     const auto length = static_cast<std::size_t>(options.section_s * rate);
     LineSums sums;
     sums.tapers = static_cast<std::size_t>(options.tapers);
     if (length < 16 || all.size() < length) return sums;
     const std::vector<double> samples = without_trend(all);
-    const auto tapers = slepian_tapers(length, options.half_bandwidth, sums.tapers);
+    const auto& tapers = remembered_tapers(length, options);
     const FourierTransform transform(fast_length(length * static_cast<std::size_t>(options.oversampling)));
     const std::size_t bins = transform.bins();
     sums.bin_hz = rate / static_cast<double>(transform.length());

@@ -25,7 +25,7 @@ const InspectionReport& report() {
         Recording recording = testing::make_record({.duration_s = 24.0, .sampling_rate_hz = 500.0, .seed = 21});
         recording.description.title = "A </script><b> title & more";
         auto& x = recording.series.channels[0].samples;
-        for (std::size_t n = 0; n < x.size(); ++n) x[n] += 0.5 * std::sin(2.0 * std::numbers::pi * (22.2222 / 0.6) * static_cast<double>(n) / 500.0);
+        for (std::size_t n = 0; n < x.size(); ++n) x[n] += 1.5 * std::sin(2.0 * std::numbers::pi * (22.2222 / 0.6) * static_cast<double>(n) / 500.0);
         x[100] = std::nan("");
         return inspect(recording, context);
     }();
@@ -64,7 +64,7 @@ TEST(Inspection, PageIsWholeAndHarmless) {
     for (const char* id : {"spectra_acceleration", "coherence", "data:image/png;base64,", "prefers-color-scheme: dark"}) EXPECT_NE(page.find(id), std::string::npos) << id;
     // The data of the charts is JSON again.
     const std::size_t begin = page.find("id=\"report\">") + 12, end = page.find("</script>", begin);
-    EXPECT_NO_THROW((void)nlohmann::json::parse(page.substr(begin, end - begin)));
+    EXPECT_TRUE(nlohmann::json::accept(page.substr(begin, end - begin)));
 }
 
 TEST(Inspection, OfAFileInSectionsFindsTheFaultAtItsTime) {

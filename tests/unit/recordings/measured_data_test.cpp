@@ -77,9 +77,10 @@ TEST(MeasuredDecayRates, OneCampaignReadsAsADecayRateRecording) {
     DataTable table;
     table.names = {"centre_hz", "decay_rate_db_per_m"};
     table.columns.resize(2);
-    const std::string campaign = rows[1][at("tdr_id")];
+    std::string campaign;  // the first one of this rail and direction
     for (const auto& row : rows)
-        if (row[at("tdr_id")] == campaign && row[at("sec")] == "B3" && row[at("damp")] == "FALSE" && row[at("rail")] == "li" && row[at("dir")] == "v") {
+        if ((campaign.empty() || row[at("tdr_id")] == campaign) && row[at("sec")] == "B3" && row[at("damp")] == "FALSE" && row[at("rail")] == "li" && row[at("dir")] == "v") {
+            campaign = row[at("tdr_id")];
             table.columns[0].push_back(std::stod(row[at("freq")]));
             table.columns[1].push_back(std::stod(row[at("tdr")]));
         }
