@@ -22,12 +22,12 @@ from effect_figures import FIGURES
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 CASE = ROOT / "cases/wei2016/case1.toml"
-PLACES = {"wheel_1": "axle box 1", "bogie_1": "bogie 1", "body_front": "car body over bogie 1", "body": "car body, centre"}
+PLACES = {"wheel_1": "axle box 1", "wheel_2": "axle box 2", "bogie_1": "bogie 1", "body_front": "car body over bogie 1", "body": "car body, centre"}
 WITHOUT = "#9ca3af"
 COLOURS = ("#dc2626", "#2563eb")
 
 plt.rcParams.update({
-    "font.size": 9, "axes.titlesize": 10, "axes.spines.top": False, "axes.spines.right": False, "axes.grid": True,
+    "font.size": 9, "axes.formatter.useoffset": False, "axes.titlesize": 10, "axes.spines.top": False, "axes.spines.right": False, "axes.grid": True,
     "grid.color": "#e5e7eb", "grid.linewidth": 0.7, "axes.axisbelow": True, "legend.frameon": False, "lines.linewidth": 1.1,
 })
 
@@ -67,7 +67,7 @@ def smooth(f, psd):
     return (running[last] - running[first]) / (last - first)
 
 
-def draw_place(axes, where, without, with_effect, low_hz):
+def draw_place(axes, where, without, with_effect, low_hz, mean):
     """Spectra above, differences of level below."""
     above, below = axes
     seen = without["frequency_hz"] >= low_hz
@@ -77,7 +77,7 @@ def draw_place(axes, where, without, with_effect, low_hz):
     above.loglog(f, spectrum(without, where), color=WITHOUT, label="believed case", linewidth=1.6)
     for (label, table), colour in zip(with_effect.items(), COLOURS):
         above.loglog(f, spectrum(table, where), color=colour, label=label)
-        below.semilogx(f, 10 * np.log10(smooth(f, spectrum(table, where)) / smooth(f, spectrum(without, where))), color=colour)
+        below.semilogx(f, 10 * np.log10(mean(f, spectrum(table, where)) / mean(f, spectrum(without, where))), color=colour)
     top = max(spectrum(table, where).max() for table in [without, *with_effect.values()])
     above.set(title=PLACES[where], ylim=(2e-6 * top, 3 * top), xlim=(f[0], f[-1]))
     largest = max(np.abs(line.get_ydata()).max() for line in below.lines)
@@ -92,11 +92,12 @@ def draw_place(axes, where, without, with_effect, low_hz):
 def draw(identifier, figure, without, with_effect, target):
     places = figure.get("places", ("wheel_1", "bogie_1", "body_front"))
     drawing, axes = plt.subplots(2, 3, figsize=(10.8, 5.6), sharex=True, height_ratios=(3, 2))
+    mean = (lambda f, psd: psd) if figure.get("lines") else smooth
     for column, where in enumerate(places):
-        draw_place(axes[:, column], where, without, with_effect, figure.get("from_hz", 0.3))
+        draw_place(axes[:, column], where, without, with_effect, figure.get("from_hz", 0.3), mean)
     axes[0, 0].set_ylabel("acceleration PSD, (m/s²)²/Hz")
     axes[1, 0].set_ylabel("with over without, dB")
-    axes[0, 0].legend(loc="upper left", fontsize=8)
+    axes[0, 0].legend(loc="lower left", fontsize=8)
     drawing.suptitle(f"{identifier}: {figure['title']}", x=0.01, y=0.99, ha="left", fontsize=11.5, fontweight="bold")
     drawing.text(0.01, 0.94, figure["text"], ha="left", va="top", fontsize=9, linespacing=1.35)
     drawing.tight_layout(rect=(0, 0, 1, 0.955 - 0.030 * (figure["text"].count("\n") + 1)))

@@ -11,7 +11,8 @@ Effect body_bending() {
         .equation =
             "displacement heave + x·pitch + φ(x)·q with φ(0) = 1 and φ = shape_at_pivots over the bogies; "
             "m(q̈ + 2ζωq̇ + ω²q) = Σ φ·force of the secondary suspension",
-        .source = "Zhou, Goodall, Ren & Zhang 2009, Proc. IMechE F 223; Diana et al. 2002, Vehicle System Dynamics 38",
+        .source =
+            "Dumitriu, Apostol & Stănică 2023, Vibration 6 (vehicle with the first vertical bending mode of its body)",
         .parameters = {{.name = "frequency_hz",
                         .unit = "Hz",
                         .low = 6.0,

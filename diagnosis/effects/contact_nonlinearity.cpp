@@ -10,8 +10,8 @@ Effect contact_nonlinearity() {
             "P = (δ/G)^{3/2}, by statistical linearisation K = ∂E[P]/∂δ̄ with E[P] = P0; K_h + factor × own × (K − "
             "K_h), own = the case's nonlinearity_factor, or 1 when the case is linear",
         .source =
-            "Wei et al. 2016, Shock and Vibration, eqs. (4) to (8); Nayak 1972, J. Sound Vib. 22; Roberts & Spanos "
-            "1990",
+            "Wei et al. 2016, Shock and Vibration, eqs. (4) to (8); Roberts & Spanos 1990, Random Vibration and "
+            "Statistical Linearization",
         .parameters = {{.name = "factor",
                         .unit = "1",
                         .low = 1.0,

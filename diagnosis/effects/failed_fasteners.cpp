@@ -12,8 +12,8 @@ Effect failed_fasteners() {
             "solver.moving a receptance averaged over positions (without, wheel 1 stands over a failed seat); random "
             "seats: shot noise with 2p(1 − p)/spacing·|pulse(κ)|²",
         .source =
-            "Xiao, Jin & Wen 2007, J. Vibration and Acoustics 129 (disabled fasteners); Rice 1944, Bell System "
-            "Technical Journal 23 (shot noise)",
+            "Zhou & Shen 2013, J. Zhejiang University Science A 14 (trains over failed fasteners); Rice 1944, Bell "
+            "System Technical Journal 23 (shot noise)",
         .parameters = {{.name = "fraction",
                         .unit = "1",
                         .low = 0.005,

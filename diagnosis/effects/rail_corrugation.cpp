@@ -9,7 +9,7 @@ Effect rail_corrugation() {
         .equation =
             "adds to S(n) a Gaussian around n = 1/wavelength with relative standard deviation `relative_bandwidth` "
             "whose integral is rms²; the same for all wheels",
-        .source = "Grassie & Kalousek 1993, Proc. IMechE F 207; Sato, Matsumoto & Knothe 2002, Wear 253",
+        .source = "Grassie & Kalousek 1993, Proc. IMechE F 207; Grassie 2009, Proc. IMechE F 223",
         .parameters = {{.name = "wavelength_m",
                         .unit = "m",
                         .low = 0.02,

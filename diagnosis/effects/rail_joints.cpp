@@ -9,7 +9,7 @@ Effect rail_joints() {
         .equation =
             "dips −h/2·(1 + cos(2πx/l)), |x| < l/2, every `spacing`: lines at n·v/spacing up to the order "
             "spacing/l and beyond; the same for all wheels",
-        .source = "Jenkins, Stephenson, Clayton, Morland & Lyon 1974, Railway Engineering Journal 3",
+        .source = "Wu & Thompson 2003, J. Sound Vib. 267 (dipped rail joints)",
         .parameters = {{.name = "spacing_m",
                         .unit = "m",
                         .low = 5.0,

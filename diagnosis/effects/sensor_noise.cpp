@@ -11,7 +11,7 @@ Effect sensor_noise() {
         .equation =
             "adds S(f) ∝ f^(slope/(10·log10 2)) with an integral of rms² from 0.5 to 500 Hz to one element of the "
             "diagonal of the cross-spectral matrix",
-        .source = "Bendat & Piersol 2010, Random Data, ch. 6 (extraneous noise); Keshner 1982, Proc. IEEE 70 (1/f)",
+        .source = "Bendat & Piersol 2010, Random Data, ch. 6 (extraneous noise)",
         .parameters = {{.name = "rms_m_per_s2",
                         .unit = "m/s^2",
                         .low = 1e-6,

@@ -11,7 +11,7 @@ Effect sleeper_flexibility() {
         .equation =
             "adds to the compliance below each pad 1/(m_n[ω_n²(1 + iη_n) − ω²] + (k(1 + iη) + iωc)·m_n/M), a free "
             "mode of a beam on the same ballast; one instance per mode",
-        .source = "Grassie & Cox 1984, Proc. IMechE D 198; Knothe & Grassie 1993, Vehicle System Dynamics 22",
+        .source = "Knothe & Grassie 1993, Vehicle System Dynamics 22",
         .parameters = {{.name = "frequency_hz",
                         .unit = "Hz",
                         .low = 60.0,

@@ -10,7 +10,7 @@ Effect sleeper_passing() {
             "lines at n·v/spacing with the wheels' delays; amplitude = factor × own × the difference of the "
             "deflection under the standing load over and between the pads, own = the case's amplitude_factor, or 1 "
             "when the case does not model it",
-        .source = "Wu & Thompson 2004, J. Sound Vib. 278; Nordborg 2002, Acta Acustica united with Acustica 88",
+        .source = "Wu & Thompson 2004, J. Sound Vib. 278; Nordborg 1998, Acustica united with Acta Acustica 84",
         .parameters = {{.name = "amplitude_factor",
                         .unit = "1",
                         .low = 1.0,

@@ -12,8 +12,8 @@ Effect wheelset_bending() {
             "wheel displacement = rigid displacement + q, m(q̈ + 2ζωq̇ + ω²q) = contact force − primary "
             "suspension; the same on every wheelset",
         .source =
-            "Popp, Kaiser & Kruse 2003, Archive of Applied Mechanics 72; Chaar & Berg 2006, Vehicle System Dynamics "
-            "44",
+            "Carrarini, Kaiser & Schupp 2004, Recent Enhancements of Running Behaviour Analysis, DLR (elastic "
+            "wheelsets)",
         .parameters = {{.name = "frequency_hz",
                         .unit = "Hz",
                         .low = 50.0,
