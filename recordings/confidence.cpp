@@ -17,10 +17,13 @@ Interval spectrum_interval(double averages, double confidence) {
     assert(averages > 0.0);
     const bm::chi_squared distribution(2.0 * averages);
     const double tail = 0.5 * (1.0 - confidence);
-    return {2.0 * averages / bm::quantile(bm::complement(distribution, tail)), 2.0 * averages / bm::quantile(distribution, tail)};
+    return {2.0 * averages / bm::quantile(bm::complement(distribution, tail)),
+            2.0 * averages / bm::quantile(distribution, tail)};
 }
 
-double coherence_limit(double averages, double false_alarm) { return averages > 1.0 ? 1.0 - std::pow(false_alarm, 1.0 / (averages - 1.0)) : 1.0; }
+double coherence_limit(double averages, double false_alarm) {
+    return averages > 1.0 ? 1.0 - std::pow(false_alarm, 1.0 / (averages - 1.0)) : 1.0;
+}
 
 Interval coherence_interval(double coherence, double averages, double confidence) {
     if (averages <= 1.0) return {0.0, 1.0};
@@ -29,16 +32,28 @@ Interval coherence_interval(double coherence, double averages, double confidence
     return {std::pow(std::tanh(std::max(0.0, z - width)), 2), std::pow(std::tanh(z + width), 2)};
 }
 
-double chi_squared_exceeded(double value, double degrees) { return value <= 0.0 ? 1.0 : bm::cdf(bm::complement(bm::chi_squared(degrees), value)); }
+double chi_squared_exceeded(double value, double degrees) {
+    return value <= 0.0 ? 1.0 : bm::cdf(bm::complement(bm::chi_squared(degrees), value));
+}
 
 double f_exceeded(double value, double numerator_degrees, double denominator_degrees) {
     return value <= 0.0 ? 1.0 : bm::cdf(bm::complement(bm::fisher_f(numerator_degrees, denominator_degrees), value));
 }
 
-double normal_exceeded(double value) { return bm::cdf(bm::complement(bm::normal(), value)); }
-double student_exceeded(double value, double degrees) { return bm::cdf(bm::complement(bm::students_t(degrees), value)); }
-double poisson_at_least(double count, double mean) { return count <= 0.0 ? 1.0 : bm::cdf(bm::complement(bm::poisson(mean), count - 1.0)); }
-double normal_quantile_exceeded(double p) { return bm::quantile(bm::complement(bm::normal(), p)); }
-double student_quantile_exceeded(double p, double degrees) { return bm::quantile(bm::complement(bm::students_t(degrees), p)); }
+double normal_exceeded(double value) {
+    return bm::cdf(bm::complement(bm::normal(), value));
+}
+double student_exceeded(double value, double degrees) {
+    return bm::cdf(bm::complement(bm::students_t(degrees), value));
+}
+double poisson_at_least(double count, double mean) {
+    return count <= 0.0 ? 1.0 : bm::cdf(bm::complement(bm::poisson(mean), count - 1.0));
+}
+double normal_quantile_exceeded(double p) {
+    return bm::quantile(bm::complement(bm::normal(), p));
+}
+double student_quantile_exceeded(double p, double degrees) {
+    return bm::quantile(bm::complement(bm::students_t(degrees), p));
+}
 
 }  // namespace railpem::recordings

@@ -20,7 +20,8 @@ using Complex = std::complex<double>;
 /// Sums of X_i X_j* over segments, kept as one row of bins per pair i ≥ j: the inner loop runs along memory.
 class PairSums {
   public:
-    PairSums(std::size_t channels, std::size_t bins) : channels_(channels), bins_(bins), sums_(channels * (channels + 1) / 2 * bins) {}
+    PairSums(std::size_t channels, std::size_t bins)
+        : channels_(channels), bins_(bins), sums_(channels * (channels + 1) / 2 * bins) {}
 
     void add(const std::vector<Complex>& transforms) {
         Complex* sum = sums_.data();
@@ -40,7 +41,8 @@ class PairSums {
                 for (std::size_t k = 0; k < bins_; ++k) {
                     // One-sided: everything but the constant term and the one at half the sampling rate counts twice.
                     Complex value = (k == 0 || k + 1 == bins_ ? 0.5 : 1.0) * scale * sum[k];
-                    if (i == j) value = value.real();  // contracted products leave a rounding error in the imaginary part
+                    if (i == j)
+                        value = value.real();  // contracted products leave a rounding error in the imaginary part
                     result[(k * channels_ + j) * channels_ + i] = value;
                     result[(k * channels_ + i) * channels_ + j] = std::conj(value);
                 }
@@ -52,7 +54,8 @@ class PairSums {
     std::vector<Complex> sums_;
 };
 
-/// For every sample whether it or one before it is missing, as a running count: a segment is complete when the count does not grow.
+/// For every sample whether it or one before it is missing, as a running count: a segment is complete when the count
+/// does not grow.
 std::vector<std::uint32_t> missing_before(const TimeSeries& series) {
     std::vector<std::uint32_t> count(series.size() + 1, 0);
     for (std::size_t n = 0; n < series.size(); ++n) {
@@ -95,8 +98,10 @@ std::vector<double> without_trend(const std::vector<double>& samples) {
 
 Segmentation segmentation_of(const SegmentOptions& options, double sampling_rate_hz, std::size_t samples) {
     assert(options.overlap >= 0.0 && options.overlap <= 0.9 && options.window_s > 0.0);
-    Segmentation segments{options.window, fast_length(static_cast<std::size_t>(std::lround(options.window_s * sampling_rate_hz))), 0, 0};
-    segments.hop = std::max<std::size_t>(1, static_cast<std::size_t>(std::lround((1.0 - options.overlap) * static_cast<double>(segments.length))));
+    Segmentation segments{
+        options.window, fast_length(static_cast<std::size_t>(std::lround(options.window_s * sampling_rate_hz))), 0, 0};
+    segments.hop = std::max<std::size_t>(
+        1, static_cast<std::size_t>(std::lround((1.0 - options.overlap) * static_cast<double>(segments.length))));
     if (samples >= segments.length) segments.count = 1 + (samples - segments.length) / segments.hop;
     return segments;
 }
@@ -109,13 +114,17 @@ double CrossSpectra::coherence(std::size_t bin, std::size_t i, std::size_t j) co
 CrossSpectra estimate_cross_spectra(const TimeSeries& series, const SegmentOptions& options) {
     const double rate = series.sampling_rate_hz;
     const auto first = static_cast<std::size_t>(std::max(0.0, std::ceil(options.from_s * rate)));
-    const std::size_t last = options.to_s * rate < static_cast<double>(series.size()) ? static_cast<std::size_t>(options.to_s * rate) : series.size();
+    const std::size_t last = options.to_s * rate < static_cast<double>(series.size())
+                                 ? static_cast<std::size_t>(options.to_s * rate)
+                                 : series.size();
     const std::size_t samples = last > first ? last - first : 0;
     CrossSpectra spectra;
     spectra.sampling_rate_hz = rate;
     spectra.segments = segmentation_of(options, rate, samples);
     if (spectra.segments.count == 0)
-        throw parameters::ParameterError("window_s", fmt::format("the record of {:g} s is shorter than one window of {:g} s", static_cast<double>(samples) / rate, options.window_s),
+        throw parameters::ParameterError("window_s",
+                                         fmt::format("the record of {:g} s is shorter than one window of {:g} s",
+                                                     static_cast<double>(samples) / rate, options.window_s),
                                          "a shorter window or a longer record");
     const std::size_t length = spectra.segments.length;
     const FourierTransform transform(length);
@@ -144,10 +153,13 @@ CrossSpectra estimate_cross_spectra(const TimeSeries& series, const SegmentOptio
     }
     spectra.segments_skipped = spectra.segments.count - used;
     spectra.segments.count = used;
-    if (used == 0) throw parameters::ParameterError("window_s", "every window of the record holds a missing sample", "a shorter window, or a record with fewer gaps");
+    if (used == 0)
+        throw parameters::ParameterError("window_s", "every window of the record holds a missing sample",
+                                         "a shorter window, or a record with fewer gaps");
     const double energy = std::inner_product(window.begin(), window.end(), window.begin(), 0.0);
     spectra.matrices = sums.matrices(2.0 / (rate * energy * static_cast<double>(used)));
-    for (std::size_t k = 0; k < bins; ++k) spectra.frequency_hz.push_back(static_cast<double>(k) * rate / static_cast<double>(length));
+    for (std::size_t k = 0; k < bins; ++k)
+        spectra.frequency_hz.push_back(static_cast<double>(k) * rate / static_cast<double>(length));
     set_averages(spectra);
     return spectra;
 }
@@ -157,9 +169,11 @@ CrossSpectra merged(const std::vector<CrossSpectra>& parts) {
     CrossSpectra result = parts.front();
     std::size_t count = 0;
     for (const CrossSpectra& part : parts) count += part.segments.count;
-    for (Complex& value : result.matrices) value *= static_cast<double>(parts.front().segments.count) / static_cast<double>(count);
+    for (Complex& value : result.matrices)
+        value *= static_cast<double>(parts.front().segments.count) / static_cast<double>(count);
     for (std::size_t p = 1; p < parts.size(); ++p) {
-        assert(parts[p].matrices.size() == result.matrices.size() && parts[p].sampling_rate_hz == result.sampling_rate_hz);
+        assert(parts[p].matrices.size() == result.matrices.size() &&
+               parts[p].sampling_rate_hz == result.sampling_rate_hz);
         const double share = static_cast<double>(parts[p].segments.count) / static_cast<double>(count);
         for (std::size_t i = 0; i < result.matrices.size(); ++i) result.matrices[i] += share * parts[p].matrices[i];
         result.segments_skipped += parts[p].segments_skipped;
@@ -176,8 +190,9 @@ CrossSpectra to_acceleration(const CrossSpectra& spectra) {
         const Complex derivative(0.0, 2.0 * std::numbers::pi * spectra.frequency_hz[k]);
         for (std::size_t j = 0; j < n; ++j)
             for (std::size_t i = 0; i < n; ++i)
-                result.matrices[(k * n + j) * n + i] *= std::pow(derivative, derivatives_to_acceleration(spectra.channels[i].quantity)) *
-                                                        std::conj(std::pow(derivative, derivatives_to_acceleration(spectra.channels[j].quantity)));
+                result.matrices[(k * n + j) * n + i] *=
+                    std::pow(derivative, derivatives_to_acceleration(spectra.channels[i].quantity)) *
+                    std::conj(std::pow(derivative, derivatives_to_acceleration(spectra.channels[j].quantity)));
     }
     for (ChannelDescription& channel : result.channels) {
         channel.quantity = ChannelQuantity::acceleration;

@@ -9,10 +9,13 @@
 namespace railpem::recordings {
 namespace {
 
-bool is_blank(char c) { return c == ' ' || c == '\t'; }
+bool is_blank(char c) {
+    return c == ' ' || c == '\t';
+}
 
 bool equal_ignoring_case(std::string_view text, std::string_view lower) {
-    return std::equal(text.begin(), text.end(), lower.begin(), lower.end(), [](char a, char b) { return (a >= 'A' && a <= 'Z' ? static_cast<char>(a + 32) : a) == b; });
+    return std::equal(text.begin(), text.end(), lower.begin(), lower.end(),
+                      [](char a, char b) { return (a >= 'A' && a <= 'Z' ? static_cast<char>(a + 32) : a) == b; });
 }
 
 bool is_missing(std::string_view field) {
@@ -30,7 +33,9 @@ int rows_understood(std::string_view header, const std::vector<std::string>& row
     for (const std::string& row : rows) {
         split_fields(row, dialect.delimiter, fields);
         double value = 0.0;
-        const bool numbers = std::all_of(fields.begin(), fields.end(), [&](std::string_view field) { return parse_number(field, dialect.decimal_comma, value); });
+        const bool numbers = std::all_of(fields.begin(), fields.end(), [&](std::string_view field) {
+            return parse_number(field, dialect.decimal_comma, value);
+        });
         understood += numbers && fields.size() == wanted ? 1 : 0;
     }
     return understood;

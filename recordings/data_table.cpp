@@ -52,14 +52,19 @@ std::string listed(const std::vector<std::string>& names) {
     return names.size() > shown ? fmt::format("{} … ({} in all)", words, names.size()) : words;
 }
 
-std::size_t require_name(const std::string& wanted, const std::vector<std::string>& names, const std::string& what, const std::string& file, std::size_t line) {
+std::size_t require_name(const std::string& wanted, const std::vector<std::string>& names, const std::string& what,
+                         const std::string& file, std::size_t line) {
     const auto found = std::find(names.begin(), names.end(), wanted);
     if (found == names.end()) {
         const std::string nearest = nearest_name(wanted, names);
-        throw ReadError(file, line, fmt::format("there is no {} '{}'{}", what, wanted, nearest.empty() ? "" : fmt::format(" (did you mean '{}'?)", nearest)), listed(names));
+        throw ReadError(file, line,
+                        fmt::format("there is no {} '{}'{}", what, wanted,
+                                    nearest.empty() ? "" : fmt::format(" (did you mean '{}'?)", nearest)),
+                        listed(names));
     }
     if (std::find(found + 1, names.end(), wanted) != names.end())
-        throw ReadError(file, line, fmt::format("there are two {}s named '{}'", what, wanted), "a name of its own for every one that is used");
+        throw ReadError(file, line, fmt::format("there are two {}s named '{}'", what, wanted),
+                        "a name of its own for every one that is used");
     return static_cast<std::size_t>(found - names.begin());
 }
 

@@ -21,7 +21,7 @@ struct ReadLimits {
     std::size_t memory_bytes = std::size_t{4} << 30;  ///< for the numbers held at once
     std::size_t line_bytes = std::size_t{1} << 20;    ///< of one line of text
     std::size_t columns = 4096;
-    double seconds = 600.0;                           ///< for a library that reads a binary file
+    double seconds = 600.0;  ///< for a library that reads a binary file
 };
 
 /// The name nearest to `wanted` by edit distance among `names`, or an empty string when none is near.
@@ -31,6 +31,7 @@ std::string nearest_name(const std::string& wanted, const std::vector<std::strin
 std::string listed(const std::vector<std::string>& names);
 
 /// Index of `wanted` in `names`. Throws ReadError with `file`, naming what there is and the nearest name.
-std::size_t require_name(const std::string& wanted, const std::vector<std::string>& names, const std::string& what, const std::string& file, std::size_t line);
+std::size_t require_name(const std::string& wanted, const std::vector<std::string>& names, const std::string& what,
+                         const std::string& file, std::size_t line);
 
 }  // namespace railpem::recordings

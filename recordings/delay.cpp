@@ -33,10 +33,13 @@ struct Peak {
     double tests = 1.0;
 };
 
-/// Largest magnitude of the whitened correlation within the range, from the record as a whole (zero-padded, so that no delay
-/// wraps round): both channels divided by the root of their own smoothed spectra.
-Peak whitened_peak(const std::vector<double>& earlier, const std::vector<double>& later, double rate, const DelayOptions& options, double highest) {
-    const FourierTransform transform(fast_length(earlier.size() + static_cast<std::size_t>(std::ceil(std::max(std::abs(options.least_s), std::abs(options.most_s)) * rate)) + 1));
+/// Largest magnitude of the whitened correlation within the range, from the record as a whole (zero-padded, so that no
+/// delay wraps round): both channels divided by the root of their own smoothed spectra.
+Peak whitened_peak(const std::vector<double>& earlier, const std::vector<double>& later, double rate,
+                   const DelayOptions& options, double highest) {
+    const FourierTransform transform(fast_length(
+        earlier.size() +
+        static_cast<std::size_t>(std::ceil(std::max(std::abs(options.least_s), std::abs(options.most_s)) * rate)) + 1));
     const std::size_t length = transform.length();
     const double window_s = std::min(1.0, static_cast<double>(earlier.size()) / rate / 8.0);
     const CrossSpectra smooth = pair_spectra(earlier, later, rate, window_s);
@@ -50,7 +53,8 @@ Peak whitened_peak(const std::vector<double>& earlier, const std::vector<double>
     const double bin_hz = rate / static_cast<double>(length);
     for (std::size_t k = 0; k < a.size(); ++k) {
         const double f = static_cast<double>(k) * bin_hz;
-        const auto at = std::min(smooth.bins() - 1, static_cast<std::size_t>(std::lround(f / smooth.kernel().bin_hz())));
+        const auto at =
+            std::min(smooth.bins() - 1, static_cast<std::size_t>(std::lround(f / smooth.kernel().bin_hz())));
         const double power = smooth.psd(at, 0) * smooth.psd(at, 1);
         if (f < options.from_hz || f > highest || power <= 0.0) {
             a[k] = 0.0;
@@ -66,10 +70,12 @@ Peak whitened_peak(const std::vector<double>& earlier, const std::vector<double>
     const double scale = static_cast<double>(length) / (used * rate * static_cast<double>(earlier.size()));
     Peak peak;
     std::vector<double> magnitudes;
-    const auto from = static_cast<long>(std::floor(options.least_s * rate)), to = static_cast<long>(std::ceil(options.most_s * rate));
+    const auto from = static_cast<long>(std::floor(options.least_s * rate)),
+               to = static_cast<long>(std::ceil(options.most_s * rate));
     for (long lag = from; lag <= to; ++lag) {
         // Channel 1 later by lag: the cross-spectrum S_01 has the phase +ω·lag, so its peak stands at −lag.
-        const auto at = static_cast<std::size_t>(((-lag) % static_cast<long>(length) + static_cast<long>(length)) % static_cast<long>(length));
+        const auto at = static_cast<std::size_t>(((-lag) % static_cast<long>(length) + static_cast<long>(length)) %
+                                                 static_cast<long>(length));
         const double value = scale * correlation[at];
         magnitudes.push_back(std::abs(value));
         if (std::abs(value) > std::abs(peak.value)) peak = {static_cast<double>(lag) / rate, value, 0.0, 0.0};
@@ -90,7 +96,8 @@ struct PhaseLine {
     double correlation = 0.0;
 };
 
-PhaseLine fit_phase_line(const CrossSpectra& spectra, double sign, const DelayOptions& options, double highest, double block_hz) {
+PhaseLine fit_phase_line(const CrossSpectra& spectra, double sign, const DelayOptions& options, double highest,
+                         double block_hz) {
     struct Bin {
         double omega, weight;
         Complex direction;
@@ -158,11 +165,13 @@ void shift_together(std::vector<double>& earlier, std::vector<double>& later, lo
 
 }  // namespace
 
-Delay estimate_delay(const std::vector<double>& earlier, const std::vector<double>& later, double sampling_rate_hz, const DelayOptions& options) {
+Delay estimate_delay(const std::vector<double>& earlier, const std::vector<double>& later, double sampling_rate_hz,
+                     const DelayOptions& options) {
     assert(earlier.size() == later.size() && options.least_s < options.most_s);
     Delay delay;
     const double highest = std::min(options.to_hz, 0.8 * 0.5 * sampling_rate_hz);
-    const double reach = std::max(std::abs(options.least_s), std::abs(options.most_s)), duration = static_cast<double>(earlier.size()) / sampling_rate_hz;
+    const double reach = std::max(std::abs(options.least_s), std::abs(options.most_s)),
+                 duration = static_cast<double>(earlier.size()) / sampling_rate_hz;
     // Of the longest delay half the record must be left to compare.
     if (duration < 2.0 * reach || earlier.size() < 256) return delay;
     const Peak peak = whitened_peak(earlier, later, sampling_rate_hz, options, highest);
@@ -174,7 +183,8 @@ Delay estimate_delay(const std::vector<double>& earlier, const std::vector<doubl
     const double window = std::min(options.window_s, static_cast<double>(a.size()) / sampling_rate_hz / 4.0);
     if (window * sampling_rate_hz < 16.0) return delay;
     const double block_hz = std::max(4.0 / window, 1.0 / std::max(0.01, std::abs(peak.delay_s)));
-    const PhaseLine line = fit_phase_line(pair_spectra(a, b, sampling_rate_hz, window), delay.inverted ? -1.0 : 1.0, options, highest, block_hz);
+    const PhaseLine line = fit_phase_line(pair_spectra(a, b, sampling_rate_hz, window), delay.inverted ? -1.0 : 1.0,
+                                          options, highest, block_hz);
     delay.seconds = static_cast<double>(shift) / sampling_rate_hz + line.delay_s;
     delay.standard_error_s = std::max(line.bound_s, line.scatter_s);
     delay.correlation = line.correlation;

@@ -6,9 +6,31 @@
 namespace railpem::recordings {
 
 enum class FaultKind {
-    missing_samples, held_values, constant, coarse_resolution, clipping, offset, drift, low_frequency_noise, duplicated, swapped, inverted,
-    wrong_unit, unknown_scale, mains_hum, aliasing, sampling_jitter, sampling_rate, timing_skew, not_stationary, speed_changes, speed_mismatch, stop,
-    impacts, mileage, too_short
+    missing_samples,
+    held_values,
+    constant,
+    coarse_resolution,
+    clipping,
+    offset,
+    drift,
+    low_frequency_noise,
+    duplicated,
+    swapped,
+    inverted,
+    wrong_unit,
+    unknown_scale,
+    mains_hum,
+    aliasing,
+    sampling_jitter,
+    sampling_rate,
+    timing_skew,
+    not_stationary,
+    speed_changes,
+    speed_mismatch,
+    stop,
+    impacts,
+    mileage,
+    too_short
 };
 
 /// note: worth knowing; warning: spoils some uses; error: the channel or the record cannot be trusted as it is.
@@ -18,13 +40,14 @@ enum class Severity { note, warning, error };
 struct Fault {
     FaultKind kind = FaultKind::missing_samples;
     Severity severity = Severity::warning;
-    std::vector<std::string> channels;  ///< empty: the record as a whole; several: these, or one of these as `says` tells
-    std::string says;                   ///< one sentence with the numbers
-    double from_s = 0.0, to_s = 0.0;    ///< where in time; both 0: everywhere
+    std::vector<std::string>
+        channels;                     ///< empty: the record as a whole; several: these, or one of these as `says` tells
+    std::string says;                 ///< one sentence with the numbers
+    double from_s = 0.0, to_s = 0.0;  ///< where in time; both 0: everywhere
     double low_hz = 0.0, high_hz = 0.0;  ///< where in frequency; both 0: everywhere
-    double value = 0.0;                 ///< size: of the offset, the delay, the share …
-    std::string unit;                   ///< of the value
-    double false_alarm = 0.0;           ///< probability that a sound recording looks like this; 0: certain
+    double value = 0.0;                  ///< size: of the offset, the delay, the share …
+    std::string unit;                    ///< of the value
+    double false_alarm = 0.0;            ///< probability that a sound recording looks like this; 0: certain
 };
 
 /// "missing-samples", "clipping", …

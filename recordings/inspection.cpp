@@ -37,7 +37,8 @@ std::optional<CrossSpectra> spectra_of(const TimeSeries& series) {
     }
 }
 
-checks::Evidence gather(const Recording& recording, const InspectionContext& context, const std::optional<CrossSpectra>& spectra) {
+checks::Evidence gather(const Recording& recording, const InspectionContext& context,
+                        const std::optional<CrossSpectra>& spectra) {
     checks::Evidence evidence{recording, context, spectra ? &*spectra : nullptr, {}, {}, {}, {}};
     for (const Channel& channel : recording.series.channels) {
         evidence.detrended.push_back(detrended_without_gaps(channel.samples));
@@ -50,7 +51,9 @@ checks::Evidence gather(const Recording& recording, const InspectionContext& con
     return evidence;
 }
 
-double speed_for_names(const InspectionReport& report) { return report.speed_m_per_s > 0.0 ? report.speed_m_per_s : report.stated_speed_m_per_s; }
+double speed_for_names(const InspectionReport& report) {
+    return report.speed_m_per_s > 0.0 ? report.speed_m_per_s : report.stated_speed_m_per_s;
+}
 
 void add_channel(const checks::Evidence& evidence, std::size_t i, InspectionReport& report) {
     const Channel& channel = evidence.series().channels[i];
@@ -79,13 +82,16 @@ void add_channel(const checks::Evidence& evidence, std::size_t i, InspectionRepo
             inspection.incoherent = incoherent_part(spectra, i);
             double power = 0.0;
             for (std::size_t k = 0; k < spectra.bins(); ++k)
-                if (spectra.frequency_hz[k] > 4.0 && spectra.frequency_hz[k] < 0.4 * spectra.sampling_rate_hz && std::isfinite(inspection.incoherent[k])) power += inspection.incoherent[k] * spectra.kernel().bin_hz();
+                if (spectra.frequency_hz[k] > 4.0 && spectra.frequency_hz[k] < 0.4 * spectra.sampling_rate_hz &&
+                    std::isfinite(inspection.incoherent[k]))
+                    power += inspection.incoherent[k] * spectra.kernel().bin_hz();
             if (power > 0.0) inspection.noise_rms = std::sqrt(power);
         }
     }
     inspection.lines = evidence.lines[i];
     const double speed = speed_for_names(report);
-    const double speed_error = report.speed_m_per_s > 0.0 ? report.speed_error_m_per_s : std::max(0.01 * speed, report.stated_speed_error_m_per_s);
+    const double speed_error = report.speed_m_per_s > 0.0 ? report.speed_error_m_per_s
+                                                          : std::max(0.01 * speed, report.stated_speed_error_m_per_s);
     for (const SpectralLine& line : inspection.lines) {
         std::string name = name_of_line(line.frequency_hz, speed, speed_error, evidence.context);
         if (name.empty() && report.wheel_orders) name = name_by_rotation(line.frequency_hz, *report.wheel_orders);
@@ -114,20 +120,30 @@ void add_spectra(const checks::Evidence& evidence, InspectionReport& report) {
 /// What was not looked at, so that silence is not taken for soundness.
 void add_not_checked(const checks::Evidence& evidence, InspectionReport& report) {
     const TimeSeries& series = evidence.series();
-    if (series.time_s.empty()) report.not_checked.emplace_back("sampling jitter and gaps in time: the file has no time column");
-    if (evidence.context.predicted.empty()) report.not_checked.emplace_back("units against a prediction: no case was given");
+    if (series.time_s.empty())
+        report.not_checked.emplace_back("sampling jitter and gaps in time: the file has no time column");
+    if (evidence.context.predicted.empty())
+        report.not_checked.emplace_back("units against a prediction: no case was given");
     if (!evidence.context.geometry)
-        report.not_checked.emplace_back("speed, timing, order and polarity of the axle boxes by their delays: no case was given, the wheelbase is not known");
+        report.not_checked.emplace_back(
+            "speed, timing, order and polarity of the axle boxes by their delays: no case was given, the wheelbase is "
+            "not known");
     else if (evidence.delays.empty())
-        report.not_checked.emplace_back("speed, timing, order and polarity by delays: no two axle boxes or bogies show the same track");
-    if (!evidence.spectra) report.not_checked.emplace_back("everything that needs a spectrum: there is no complete window of 2 s");
+        report.not_checked.emplace_back(
+            "speed, timing, order and polarity by delays: no two axle boxes or bogies show the same track");
+    if (!evidence.spectra)
+        report.not_checked.emplace_back("everything that needs a spectrum: there is no complete window of 2 s");
     bool body_alone = false;
-    for (const Channel& channel : series.channels) body_alone = body_alone || channel.description.location == Location::body;
-    if (body_alone && series.channels.size() < 3) report.not_checked.emplace_back("polarity and timing of the body channels: they need both ends and the centre");
+    for (const Channel& channel : series.channels)
+        body_alone = body_alone || channel.description.location == Location::body;
+    if (body_alone && series.channels.size() < 3)
+        report.not_checked.emplace_back("polarity and timing of the body channels: they need both ends and the centre");
 }
 
 void sort_faults(std::vector<Fault>& faults) {
-    std::stable_sort(faults.begin(), faults.end(), [](const Fault& a, const Fault& b) { return static_cast<int>(a.severity) > static_cast<int>(b.severity); });
+    std::stable_sort(faults.begin(), faults.end(), [](const Fault& a, const Fault& b) {
+        return static_cast<int>(a.severity) > static_cast<int>(b.severity);
+    });
 }
 
 InspectionReport header(const Recording& recording) {
@@ -157,7 +173,8 @@ void take_speed_channel(const TimeSeries& series, InspectionReport& report) {
         }
     if (count == 0.0 || sum <= 0.0) return;
     report.stated_speed_m_per_s = sum / count;
-    report.stated_speed_error_m_per_s = std::max(std::sqrt(std::max(0.0, square / count - sum / count * sum / count)), 0.005 * report.stated_speed_m_per_s);
+    report.stated_speed_error_m_per_s = std::max(std::sqrt(std::max(0.0, square / count - sum / count * sum / count)),
+                                                 0.005 * report.stated_speed_m_per_s);
 }
 
 }  // namespace
@@ -187,6 +204,7 @@ InspectionReport inspect(const Recording& recording, const InspectionContext& co
     checks::check_offset(evidence, report.faults);
     checks::check_unit(evidence, report.faults);
     checks::check_channels(evidence, report.faults);
+    checks::check_polarity(evidence, report.faults);
     checks::check_timing(evidence, report.faults);
     checks::check_mains(evidence, report.faults);
     checks::check_aliasing(evidence, report.faults);
@@ -195,14 +213,16 @@ InspectionReport inspect(const Recording& recording, const InspectionContext& co
     checks::check_impacts(evidence, report.faults);
     sort_faults(report.faults);
     InspectionContext known = context;
-    if (known.wheel_radius_m <= 0.0 && report.wheel_orders) known.wheel_radius_m = speed_for_names(report) / (2.0 * std::numbers::pi * report.wheel_orders->rotation_hz);
+    if (known.wheel_radius_m <= 0.0 && report.wheel_orders)
+        known.wheel_radius_m = speed_for_names(report) / (2.0 * std::numbers::pi * report.wheel_orders->rotation_hz);
     report.named_frequencies = named_frequencies(speed_for_names(report), 0.5 * report.sampling_rate_hz, known);
     report.spectrograms = spectrograms_of(series);
     add_not_checked(evidence, report);
     return report;
 }
 
-InspectionReport inspect_file(const RecordingDescription& description, const std::filesystem::path& base, const InspectionContext& context, std::size_t samples) {
+InspectionReport inspect_file(const RecordingDescription& description, const std::filesystem::path& base,
+                              const InspectionContext& context, std::size_t samples) {
     std::vector<InspectionReport> parts;
     load_in_sections(description, base, samples, [&](const Recording& section) {
         InspectionReport part = inspect(section, context);
@@ -229,27 +249,37 @@ InspectionReport inspect_file(const RecordingDescription& description, const std
         report.duration_s += part.duration_s;
         report.averages += part.averages;
         for (Fault& fault : part.faults)
-            if (fault.kind != FaultKind::too_short && fault.kind != FaultKind::unknown_scale) report.faults.push_back(std::move(fault));
+            if (fault.kind != FaultKind::too_short && fault.kind != FaultKind::unknown_scale)
+                report.faults.push_back(std::move(fault));
         for (std::size_t i = 0; i < report.channels.size(); ++i) {
             ChannelInspection &all = report.channels[i], &one = part.channels[i];
             all.rms = std::sqrt((1.0 - share) * all.rms * all.rms + share * one.rms * one.rms);
             all.mean = (1.0 - share) * all.mean + share * one.mean;
             all.peak = std::max(all.peak, one.peak);
-            for (std::size_t k = 0; k < all.psd.size() && k < one.psd.size(); ++k) all.psd[k] = (1.0 - share) * all.psd[k] + share * one.psd[k];
+            for (std::size_t k = 0; k < all.psd.size() && k < one.psd.size(); ++k)
+                all.psd[k] = (1.0 - share) * all.psd[k] + share * one.psd[k];
         }
     }
     if (parts.size() > 1) {
-        report.notes.push_back(fmt::format("inspected in {} sections of {:.0f} s: bands, lines, coherence and spectrogram are of the first", parts.size(), static_cast<double>(samples) / report.sampling_rate_hz));
+        report.notes.push_back(fmt::format(
+            "inspected in {} sections of {:.0f} s: bands, lines, coherence and spectrogram are of the first",
+            parts.size(), static_cast<double>(samples) / report.sampling_rate_hz));
         sort_faults(report.faults);
     }
     return report;
 }
 
 std::string verdict_of(const InspectionReport& report) {
-    if (report.kind != RecordingKind::timeseries) return "Read. Faults of the sensors cannot be looked for in this kind of data.";
-    const auto count = [&](Severity severity) { return std::count_if(report.faults.begin(), report.faults.end(), [&](const Fault& fault) { return fault.severity == severity; }); };
+    if (report.kind != RecordingKind::timeseries)
+        return "Read. Faults of the sensors cannot be looked for in this kind of data.";
+    const auto count = [&](Severity severity) {
+        return std::count_if(report.faults.begin(), report.faults.end(),
+                             [&](const Fault& fault) { return fault.severity == severity; });
+    };
     const auto errors = count(Severity::error), warnings = count(Severity::warning);
-    if (errors > 0) return fmt::format("Not to be trusted as it is: {} error{}, {} warning{}.", errors, errors > 1 ? "s" : "", warnings, warnings == 1 ? "" : "s");
+    if (errors > 0)
+        return fmt::format("Not to be trusted as it is: {} error{}, {} warning{}.", errors, errors > 1 ? "s" : "",
+                           warnings, warnings == 1 ? "" : "s");
     if (warnings > 0) return fmt::format("Usable with care: {} warning{}.", warnings, warnings > 1 ? "s" : "");
     return "No fault was found.";
 }

@@ -23,7 +23,8 @@ double rounded(double value) {
     return std::round(value * scale) / scale;
 }
 
-/// At most about 700 points: bins as they are at low frequency, means of groups of bins (1 % wide) above. Zero is left out.
+/// At most about 700 points: bins as they are at low frequency, means of groups of bins (1 % wide) above. Zero is left
+/// out.
 Json curve(const std::vector<double>& frequency, const std::vector<double>& values) {
     Json points = Json::array();
     for (std::size_t k = 1; k < frequency.size();) {
@@ -44,49 +45,93 @@ Json curve(const std::vector<double>& frequency, const std::vector<double>& valu
 Json points_of(const std::vector<double>& frequency, const std::vector<double>& values) {
     Json points = Json::array();
     for (std::size_t k = 0; k < frequency.size(); ++k)
-        if (frequency[k] > 0.0 && std::isfinite(values[k])) points.push_back({{"x", rounded(frequency[k])}, {"y", rounded(values[k])}});
+        if (frequency[k] > 0.0 && std::isfinite(values[k]))
+            points.push_back({{"x", rounded(frequency[k])}, {"y", rounded(values[k])}});
     return points;
 }
 
 Json spectra_chart(const InspectionReport& report, ChannelQuantity quantity) {
     Json sets = Json::array();
     for (const ChannelInspection& channel : report.channels)
-        if (channel.description.quantity == quantity && !channel.psd.empty()) sets.push_back({{"name", channel.description.name}, {"group", group_of(channel.description)}, {"points", curve(report.frequency_hz, channel.psd)}});
+        if (channel.description.quantity == quantity && !channel.psd.empty())
+            sets.push_back({{"name", channel.description.name},
+                            {"group", group_of(channel.description)},
+                            {"points", curve(report.frequency_hz, channel.psd)}});
     for (const ChannelSpectrum& spectrum : report.spectra)
         if (spectrum.description.quantity == quantity && !spectrum.psd.empty())
-            sets.push_back({{"name", spectrum.description.name}, {"group", group_of(spectrum.description)}, {"points", points_of(spectrum.frequency_hz, spectrum.psd)}, {"dots", report.kind == RecordingKind::points}});
-    return {{"id", "spectra_" + quantity_name(quantity)}, {"x", "frequency, Hz"}, {"y", "PSD of " + quantity_name(quantity) + ", (" + si_unit(quantity) + ")²/Hz"}, {"yType", "logarithmic"}, {"sets", sets}, {"marks", true}};
+            sets.push_back({{"name", spectrum.description.name},
+                            {"group", group_of(spectrum.description)},
+                            {"points", points_of(spectrum.frequency_hz, spectrum.psd)},
+                            {"dots", report.kind == RecordingKind::points}});
+    return {{"id", "spectra_" + quantity_name(quantity)},
+            {"x", "frequency, Hz"},
+            {"y", "PSD of " + quantity_name(quantity) + ", (" + si_unit(quantity) + ")²/Hz"},
+            {"yType", "logarithmic"},
+            {"sets", sets},
+            {"marks", true}};
 }
 
 /// The six pairs that share most, by mean coherence, and the limit of chance.
 Json coherence_chart(const InspectionReport& report) {
     std::vector<std::pair<double, const PairCoherence*>> pairs;
-    for (const PairCoherence& pair : report.coherences) pairs.emplace_back(std::accumulate(pair.coherence.begin(), pair.coherence.end(), 0.0), &pair);
+    for (const PairCoherence& pair : report.coherences)
+        pairs.emplace_back(std::accumulate(pair.coherence.begin(), pair.coherence.end(), 0.0), &pair);
     std::sort(pairs.begin(), pairs.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
     static const char* const groups[] = {"wheel", "bogie", "body", "rail", "none", "mark"};
     Json sets = Json::array();
     for (std::size_t i = 0; i < std::min<std::size_t>(6, pairs.size()); ++i)
-        sets.push_back({{"name", pairs[i].second->first + " – " + pairs[i].second->second}, {"group", groups[i]}, {"dash", Json::array()}, {"points", curve(report.frequency_hz, pairs[i].second->coherence)}});
+        sets.push_back({{"name", pairs[i].second->first + " – " + pairs[i].second->second},
+                        {"group", groups[i]},
+                        {"dash", Json::array()},
+                        {"points", curve(report.frequency_hz, pairs[i].second->coherence)}});
     if (!report.frequency_hz.empty())
-        sets.push_back({{"name", "5 % limit of unrelated channels"}, {"group", "none"}, {"dash", {6, 4}}, {"points", Json::array({{{"x", report.frequency_hz[1]}, {"y", report.coherence_limit}}, {{"x", report.frequency_hz.back()}, {"y", report.coherence_limit}}})}});
-    return {{"id", "coherence"}, {"x", "frequency, Hz"}, {"y", "coherence γ²"}, {"yType", "linear"}, {"sets", sets}, {"marks", true}, {"limits", {{"y", {{"min", 0}, {"max", 1}}}}}};
+        sets.push_back({{"name", "5 % limit of unrelated channels"},
+                        {"group", "none"},
+                        {"dash", {6, 4}},
+                        {"points", Json::array({{{"x", report.frequency_hz[1]}, {"y", report.coherence_limit}},
+                                                {{"x", report.frequency_hz.back()}, {"y", report.coherence_limit}}})}});
+    return {{"id", "coherence"},
+            {"x", "frequency, Hz"},
+            {"y", "coherence γ²"},
+            {"yType", "linear"},
+            {"sets", sets},
+            {"marks", true},
+            {"limits", {{"y", {{"min", 0}, {"max", 1}}}}}};
 }
 
 }  // namespace
 
 nlohmann::json chart_data(const InspectionReport& report) {
     Json data = {{"named", Json::array()}, {"charts", Json::array()}};
-    for (const NamedFrequency& named : report.named_frequencies) data["named"].push_back({{"f", rounded(named.frequency_hz)}, {"name", named.name}});
-    for (const ChannelQuantity quantity : {ChannelQuantity::acceleration, ChannelQuantity::velocity, ChannelQuantity::displacement})
-        if (Json chart = spectra_chart(report, quantity); !chart["sets"].empty()) data["charts"].push_back(std::move(chart));
+    for (const NamedFrequency& named : report.named_frequencies)
+        data["named"].push_back({{"f", rounded(named.frequency_hz)}, {"name", named.name}});
+    for (const ChannelQuantity quantity :
+         {ChannelQuantity::acceleration, ChannelQuantity::velocity, ChannelQuantity::displacement})
+        if (Json chart = spectra_chart(report, quantity); !chart["sets"].empty())
+            data["charts"].push_back(std::move(chart));
     if (!report.coherences.empty()) data["charts"].push_back(coherence_chart(report));
     if (!report.receptance.frequency_hz.empty()) {
         std::vector<double> magnitude;
         for (const auto& value : report.receptance.value_m_per_n) magnitude.push_back(std::abs(value));
-        data["charts"].push_back({{"id", "receptance"}, {"x", "frequency, Hz"}, {"y", "receptance, m/N"}, {"yType", "logarithmic"}, {"sets", Json::array({{{"name", "magnitude"}, {"group", "rail"}, {"points", points_of(report.receptance.frequency_hz, magnitude)}}})}});
+        data["charts"].push_back(
+            {{"id", "receptance"},
+             {"x", "frequency, Hz"},
+             {"y", "receptance, m/N"},
+             {"yType", "logarithmic"},
+             {"sets", Json::array({{{"name", "magnitude"},
+                                    {"group", "rail"},
+                                    {"points", points_of(report.receptance.frequency_hz, magnitude)}}})}});
     }
     if (!report.decay_rate.centre_hz.empty())
-        data["charts"].push_back({{"id", "decay"}, {"x", "third-octave, Hz"}, {"y", "decay rate, dB/m"}, {"yType", "logarithmic"}, {"sets", Json::array({{{"name", "decay rate"}, {"group", "rail"}, {"points", points_of(report.decay_rate.centre_hz, report.decay_rate.decay_rate_db_per_m)}}})}});
+        data["charts"].push_back(
+            {{"id", "decay"},
+             {"x", "third-octave, Hz"},
+             {"y", "decay rate, dB/m"},
+             {"yType", "logarithmic"},
+             {"sets", Json::array({{{"name", "decay rate"},
+                                    {"group", "rail"},
+                                    {"points", points_of(report.decay_rate.centre_hz,
+                                                         report.decay_rate.decay_rate_db_per_m)}}})}});
     return data;
 }
 

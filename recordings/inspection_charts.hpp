@@ -7,7 +7,8 @@
 
 namespace railpem::recordings {
 
-/// Data of the page's charts, as page/inspection.js takes them: {named: [{f, name}], charts: [{id, x, y, yType, sets, marks}]}.
+/// Data of the page's charts, as page/inspection.js takes them: {named: [{f, name}], charts: [{id, x, y, yType, sets,
+/// marks}]}.
 nlohmann::json chart_data(const InspectionReport& report);
 
 /// One spectrogram as a picture with axes and the named lines, as SVG with an embedded PNG.

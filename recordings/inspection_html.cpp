@@ -16,11 +16,16 @@ namespace {
 std::string escaped(const std::string& text) {
     std::string out;
     for (const char c : text) {
-        if (c == '&') out += "&amp;";
-        else if (c == '<') out += "&lt;";
-        else if (c == '>') out += "&gt;";
-        else if (c == '"') out += "&quot;";
-        else out += c;
+        if (c == '&')
+            out += "&amp;";
+        else if (c == '<')
+            out += "&lt;";
+        else if (c == '>')
+            out += "&gt;";
+        else if (c == '"')
+            out += "&quot;";
+        else
+            out += c;
     }
     return out;
 }
@@ -29,8 +34,10 @@ std::string escaped(const std::string& text) {
 std::string script_json(const nlohmann::json& json) {
     std::string text = json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace), out;
     for (const char c : text) {
-        if (c == '<') out += "\\u003c";
-        else out += c;
+        if (c == '<')
+            out += "\\u003c";
+        else
+            out += c;
     }
     return out;
 }
@@ -44,12 +51,25 @@ std::string list(const std::string& heading, const std::vector<std::string>& ite
 
 std::string facts(const InspectionReport& report) {
     if (report.kind != RecordingKind::timeseries) return "";
-    const auto fact = [](const std::string& name, const std::string& value) { return "<li>" + name + "<b>" + escaped(value) + "</b></li>"; };
-    std::string out = "<ul class=\"facts\">" + fact("Channels", fmt::format("{} at {:g} Hz", report.channels.size(), report.sampling_rate_hz)) + fact("Length", fmt::format("{:.4g} s, {} samples", report.duration_s, report.samples));
-    if (report.stated_speed_m_per_s > 0.0) out += fact("Speed as stated", fmt::format("{:.4g} m/s = {:.4g} km/h", report.stated_speed_m_per_s, 3.6 * report.stated_speed_m_per_s));
-    if (report.speed_m_per_s > 0.0) out += fact(fmt::format("Speed by the delays of {} pairs", report.speed_pairs), fmt::format("{:.5g} ± {:.2g} m/s", report.speed_m_per_s, 1.645 * report.speed_error_m_per_s));
-    if (report.averages > 0.0) out += fact("Independent averages of a bin", fmt::format("{:.1f}: {:+.1f} / {:+.1f} dB (90 %)", report.averages, report.interval_low_db, report.interval_high_db));
-    if (report.wheel_orders) out += fact("Wheel rotation by its multiples", fmt::format("{:.4f} Hz, {} lines", report.wheel_orders->rotation_hz, report.wheel_orders->orders.size()));
+    const auto fact = [](const std::string& name, const std::string& value) {
+        return "<li>" + name + "<b>" + escaped(value) + "</b></li>";
+    };
+    std::string out = "<ul class=\"facts\">" +
+                      fact("Channels", fmt::format("{} at {:g} Hz", report.channels.size(), report.sampling_rate_hz)) +
+                      fact("Length", fmt::format("{:.4g} s, {} samples", report.duration_s, report.samples));
+    if (report.stated_speed_m_per_s > 0.0)
+        out += fact("Speed as stated", fmt::format("{:.4g} m/s = {:.4g} km/h", report.stated_speed_m_per_s,
+                                                   3.6 * report.stated_speed_m_per_s));
+    if (report.speed_m_per_s > 0.0)
+        out += fact(fmt::format("Speed by the delays of {} pairs", report.speed_pairs),
+                    fmt::format("{:.5g} ± {:.2g} m/s", report.speed_m_per_s, 1.645 * report.speed_error_m_per_s));
+    if (report.averages > 0.0)
+        out += fact("Independent averages of a bin", fmt::format("{:.1f}: {:+.1f} / {:+.1f} dB (90 %)", report.averages,
+                                                                 report.interval_low_db, report.interval_high_db));
+    if (report.wheel_orders)
+        out += fact(
+            "Wheel rotation by its multiples",
+            fmt::format("{:.4f} Hz, {} lines", report.wheel_orders->rotation_hz, report.wheel_orders->orders.size()));
     return out + "</ul>\n";
 }
 
@@ -57,22 +77,40 @@ std::string fault_table(const InspectionReport& report) {
     if (report.kind != RecordingKind::timeseries) return "";
     std::string out = "<h2>Faults</h2>";
     if (report.faults.empty()) return out + "<p>None was found.</p>\n";
-    out += "<div class=\"scroll\"><table><thead><tr><th>How bad</th><th>What</th><th>Where</th><th>Finding</th><th class=\"number\">False alarm</th></tr></thead><tbody>\n";
+    out +=
+        "<div class=\"scroll\"><table><thead><tr><th>How bad</th><th>What</th><th>Where</th><th>Finding</th><th "
+        "class=\"number\">False alarm</th></tr></thead><tbody>\n";
     for (const Fault& fault : report.faults)
-        out += fmt::format("<tr><td class=\"severity {0}\">{0}</td><td>{1}</td><td>{2}</td><td>{3}</td><td class=\"number\">{4}</td></tr>\n", severity_name(fault.severity), fault_name(fault.kind), escaped(fault_place(fault)), escaped(fault.says),
-                           fault.false_alarm <= 0.0 ? "–" : fault.false_alarm < 1e-4 ? "&lt; 1e-4" : fmt::format("{:.1g}", fault.false_alarm));
+        out += fmt::format(
+            "<tr><td class=\"severity {0}\">{0}</td><td>{1}</td><td>{2}</td><td>{3}</td><td "
+            "class=\"number\">{4}</td></tr>\n",
+            severity_name(fault.severity), fault_name(fault.kind), escaped(fault_place(fault)), escaped(fault.says),
+            fault.false_alarm <= 0.0   ? "–"
+            : fault.false_alarm < 1e-4 ? "&lt; 1e-4"
+                                       : fmt::format("{:.1g}", fault.false_alarm));
     return out + "</tbody></table></div>\n";
 }
 
 std::string channel_table(const InspectionReport& report) {
     if (report.channels.empty()) return "";
-    std::string out = "<h2>Channels</h2><div class=\"scroll\"><table><thead><tr><th>Name</th><th>At</th><th>Unit</th><th class=\"number\">rms</th><th class=\"number\">Peak</th><th class=\"number\">Mean</th><th class=\"number\">Noise below</th><th class=\"number\">Kurtosis</th><th>Lines</th></tr></thead><tbody>\n";
+    std::string out =
+        "<h2>Channels</h2><div class=\"scroll\"><table><thead><tr><th>Name</th><th>At</th><th>Unit</th><th "
+        "class=\"number\">rms</th><th class=\"number\">Peak</th><th class=\"number\">Mean</th><th "
+        "class=\"number\">Noise below</th><th class=\"number\">Kurtosis</th><th>Lines</th></tr></thead><tbody>\n";
     for (const ChannelInspection& c : report.channels) {
         std::string lines;
-        for (std::size_t i = 0; i < c.lines.size() && i < 5; ++i) lines += fmt::format("{}{:.2f} Hz{}", lines.empty() ? "" : ", ", c.lines[i].frequency_hz, c.line_names[i].empty() ? "" : " (" + c.line_names[i] + ")");
+        for (std::size_t i = 0; i < c.lines.size() && i < 5; ++i)
+            lines += fmt::format("{}{:.2f} Hz{}", lines.empty() ? "" : ", ", c.lines[i].frequency_hz,
+                                 c.line_names[i].empty() ? "" : " (" + c.line_names[i] + ")");
         if (c.lines.size() > 5) lines += fmt::format(", … {} in all", c.lines.size());
-        out += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td class=\"number\">{:.4g}</td><td class=\"number\">{:.4g}</td><td class=\"number\">{:.3g}</td><td class=\"number\">{}</td><td class=\"number\">{:.1f}</td><td>{}</td></tr>\n", escaped(c.description.name),
-                           place_words(c.description), c.description.scale == Scale::unknown ? "unknown" : si_unit(c.description.quantity), c.rms, c.peak, c.mean, std::isnan(c.noise_rms) ? "–" : fmt::format("{:.3g}", c.noise_rms), c.kurtosis, lines.empty() ? "–" : escaped(lines));
+        out += fmt::format(
+            "<tr><td>{}</td><td>{}</td><td>{}</td><td class=\"number\">{:.4g}</td><td class=\"number\">{:.4g}</td><td "
+            "class=\"number\">{:.3g}</td><td class=\"number\">{}</td><td "
+            "class=\"number\">{:.1f}</td><td>{}</td></tr>\n",
+            escaped(c.description.name), place_words(c.description),
+            c.description.scale == Scale::unknown ? "unknown" : si_unit(c.description.quantity), c.rms, c.peak, c.mean,
+            std::isnan(c.noise_rms) ? "–" : fmt::format("{:.3g}", c.noise_rms), c.kurtosis,
+            lines.empty() ? "–" : escaped(lines));
     }
     return out + "</tbody></table></div>\n";
 }
@@ -81,8 +119,13 @@ std::string chart_places(const nlohmann::json& data) {
     std::string out;
     for (const auto& chart : data["charts"]) {
         const std::string id = chart["id"];
-        const std::string heading = id == "coherence" ? "Coherence" : id == "receptance" ? "Receptance" : id == "decay" ? "Track decay rate" : "Spectra";
-        out += fmt::format("<h2>{0}</h2><div class=\"chart{1}\"><canvas id=\"{2}\" role=\"img\" aria-label=\"{0}\"></canvas></div>\n", heading, id == "coherence" ? " low" : "", id);
+        const std::string heading = id == "coherence"    ? "Coherence"
+                                    : id == "receptance" ? "Receptance"
+                                    : id == "decay"      ? "Track decay rate"
+                                                         : "Spectra";
+        out += fmt::format(
+            "<h2>{0}</h2><div class=\"chart{1}\"><canvas id=\"{2}\" role=\"img\" aria-label=\"{0}\"></canvas></div>\n",
+            heading, id == "coherence" ? " low" : "", id);
     }
     return out;
 }
@@ -94,10 +137,15 @@ std::string to_html(const InspectionReport& report) {
     const std::string title = report.title.empty() ? report.file : report.title;
     std::string severity;
     for (const Fault& fault : report.faults)
-        if (severity.empty() && fault.severity != Severity::note) severity = severity_name(fault.severity);  // errors come first
-    std::string out = "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"><title>" + escaped(title) + "</title>\n<style>\n" + std::string(page_style()) + "</style></head>\n<body><main>\n";
+        if (severity.empty() && fault.severity != Severity::note)
+            severity = severity_name(fault.severity);  // errors come first
+    std::string out =
+        "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
+        "content=\"width=device-width, initial-scale=1\"><title>" +
+        escaped(title) + "</title>\n<style>\n" + std::string(page_style()) + "</style></head>\n<body><main>\n";
     out += "<h1>" + escaped(title) + "</h1><p class=\"soft\">" + escaped(report.file) + "</p>\n";
-    out += "<p class=\"verdict " + severity + "\">" + verdict_of(report) + "</p>\n" + facts(report) + fault_table(report) + channel_table(report);
+    out += "<p class=\"verdict " + severity + "\">" + verdict_of(report) + "</p>\n" + facts(report) +
+           fault_table(report) + channel_table(report);
     out += chart_places(data);
     if (!report.spectrograms.empty()) out += "<h2>Spectrograms</h2>\n";
     for (const Spectrogram& spectrogram : report.spectrograms) {
@@ -105,10 +153,14 @@ std::string to_html(const InspectionReport& report) {
         safe.channel = escaped(spectrogram.channel);
         out += spectrogram_svg(safe, report);
     }
-    out += list("Not checked", report.not_checked) + list("What this recording cannot tell", report.lacks) + list("Notes", report.notes);
+    out += list("Not checked", report.not_checked) + list("What this recording cannot tell", report.lacks) +
+           list("Notes", report.notes);
     const std::string words = averages_words(report);
-    out += "<footer><p>" + escaped(words) + " Dashed lines mark frequencies that have a name at this speed. Charts: Chart.js (MIT licence).</p></footer>\n</main>\n";
-    out += "<script>" + std::string(chart_script()) + "</script>\n<script type=\"application/json\" id=\"report\">" + script_json(data) + "</script>\n<script>\n" + std::string(page_script()) + "</script>\n</body></html>\n";
+    out += "<footer><p>" + escaped(words) +
+           " Dashed lines mark frequencies that have a name at this speed. Charts: Chart.js (MIT "
+           "licence).</p></footer>\n</main>\n";
+    out += "<script>" + std::string(chart_script()) + "</script>\n<script type=\"application/json\" id=\"report\">" +
+           script_json(data) + "</script>\n<script>\n" + std::string(page_script()) + "</script>\n</body></html>\n";
     return out;
 }
 

@@ -10,7 +10,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+Json number(double value) {
+    return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
 
 Json numbers(const std::vector<double>& values) {
     Json list = Json::array();
@@ -19,7 +21,13 @@ Json numbers(const std::vector<double>& values) {
 }
 
 Json fault_json(const Fault& fault) {
-    Json j = {{"kind", fault_name(fault.kind)}, {"severity", severity_name(fault.severity)}, {"channels", fault.channels}, {"says", fault.says}, {"value", number(fault.value)}, {"unit", fault.unit}, {"false_alarm_probability", number(fault.false_alarm)}};
+    Json j = {{"kind", fault_name(fault.kind)},
+              {"severity", severity_name(fault.severity)},
+              {"channels", fault.channels},
+              {"says", fault.says},
+              {"value", number(fault.value)},
+              {"unit", fault.unit},
+              {"false_alarm_probability", number(fault.false_alarm)}};
     if (fault.to_s > 0.0 || fault.from_s > 0.0) {
         j["from_s"] = fault.from_s;
         j["to_s"] = fault.to_s;
@@ -32,16 +40,32 @@ Json fault_json(const Fault& fault) {
 }
 
 Json channel_json(const ChannelInspection& channel) {
-    Json j = {{"name", channel.description.name}, {"place", place_words(channel.description)}, {"quantity", quantity_name(channel.description.quantity)}, {"unit", si_unit(channel.description.quantity)},
-              {"scale", channel.description.scale == Scale::known ? "known" : "unknown"}, {"mean", number(channel.mean)}, {"rms", number(channel.rms)}, {"peak", number(channel.peak)}, {"kurtosis", number(channel.kurtosis)},
+    Json j = {{"name", channel.description.name},
+              {"place", place_words(channel.description)},
+              {"quantity", quantity_name(channel.description.quantity)},
+              {"unit", si_unit(channel.description.quantity)},
+              {"scale", channel.description.scale == Scale::known ? "known" : "unknown"},
+              {"mean", number(channel.mean)},
+              {"rms", number(channel.rms)},
+              {"peak", number(channel.peak)},
+              {"kurtosis", number(channel.kurtosis)},
               {"noise_rms_at_most", number(channel.noise_rms)}};
     j["bands"] = Json::array();
     for (const BandLevel& band : channel.bands)
-        j["bands"].push_back({{"centre_hz", band.band.nominal_hz}, {"level_db", number(band.level_db)}, {"low_db", number(band.interval_db.low)}, {"high_db", number(band.interval_db.high)}, {"independent_averages", number(band.averages)}});
+        j["bands"].push_back({{"centre_hz", band.band.nominal_hz},
+                              {"level_db", number(band.level_db)},
+                              {"low_db", number(band.interval_db.low)},
+                              {"high_db", number(band.interval_db.high)},
+                              {"independent_averages", number(band.averages)}});
     j["lines"] = Json::array();
     for (std::size_t i = 0; i < channel.lines.size(); ++i) {
         const SpectralLine& line = channel.lines[i];
-        j["lines"].push_back({{"frequency_hz", line.frequency_hz}, {"standard_error_hz", number(line.frequency_error_hz)}, {"rms", std::sqrt(line.mean_square)}, {"background_psd", number(line.background)}, {"false_alarm_probability", number(line.false_alarm)}, {"name", channel.line_names[i]}});
+        j["lines"].push_back({{"frequency_hz", line.frequency_hz},
+                              {"standard_error_hz", number(line.frequency_error_hz)},
+                              {"rms", std::sqrt(line.mean_square)},
+                              {"background_psd", number(line.background)},
+                              {"false_alarm_probability", number(line.false_alarm)},
+                              {"name", channel.line_names[i]}});
     }
     j["psd"] = numbers(channel.psd);
     if (!channel.incoherent.empty()) j["incoherent_psd"] = numbers(channel.incoherent);
@@ -49,23 +73,35 @@ Json channel_json(const ChannelInspection& channel) {
 }
 
 void add_tables(const InspectionReport& report, Json& j) {
-    for (const ChannelSpectrum& s : report.spectra) j["spectra"].push_back({{"name", s.description.name}, {"frequency_hz", numbers(s.frequency_hz)}, {"psd", numbers(s.psd)}, {"standard_error", numbers(s.standard_error)}});
+    for (const ChannelSpectrum& s : report.spectra)
+        j["spectra"].push_back({{"name", s.description.name},
+                                {"frequency_hz", numbers(s.frequency_hz)},
+                                {"psd", numbers(s.psd)},
+                                {"standard_error", numbers(s.standard_error)}});
     if (!report.receptance.frequency_hz.empty()) {
         Json real = Json::array(), imaginary = Json::array();
         for (const auto& value : report.receptance.value_m_per_n) {
             real.push_back(value.real());
             imaginary.push_back(value.imag());
         }
-        j["receptance"] = {{"frequency_hz", numbers(report.receptance.frequency_hz)}, {"re_m_per_n", real}, {"im_m_per_n", imaginary}, {"has_phase", report.receptance.has_phase}};
+        j["receptance"] = {{"frequency_hz", numbers(report.receptance.frequency_hz)},
+                           {"re_m_per_n", real},
+                           {"im_m_per_n", imaginary},
+                           {"has_phase", report.receptance.has_phase}};
     }
-    if (!report.decay_rate.centre_hz.empty()) j["decay_rate"] = {{"centre_hz", numbers(report.decay_rate.centre_hz)}, {"decay_rate_db_per_m", numbers(report.decay_rate.decay_rate_db_per_m)}};
+    if (!report.decay_rate.centre_hz.empty())
+        j["decay_rate"] = {{"centre_hz", numbers(report.decay_rate.centre_hz)},
+                           {"decay_rate_db_per_m", numbers(report.decay_rate.decay_rate_db_per_m)}};
 }
 
 }  // namespace
 
 nlohmann::ordered_json to_json(const InspectionReport& report) {
     static const char* const kinds[] = {"timeseries", "psd", "points", "receptance", "decay-rate"};
-    Json j = {{"title", report.title}, {"file", report.file}, {"kind", kinds[static_cast<int>(report.kind)]}, {"verdict", verdict_of(report)}};
+    Json j = {{"title", report.title},
+              {"file", report.file},
+              {"kind", kinds[static_cast<int>(report.kind)]},
+              {"verdict", verdict_of(report)}};
     if (report.kind == RecordingKind::timeseries) {
         j["duration_s"] = report.duration_s;
         j["sampling_rate_hz"] = report.sampling_rate_hz;
@@ -74,22 +110,33 @@ nlohmann::ordered_json to_json(const InspectionReport& report) {
         j["coherence_limit"] = number(report.coherence_limit);
         j["bin_interval_db"] = {number(report.interval_low_db), number(report.interval_high_db)};
     }
-    j["speed"] = {{"stated_m_per_s", report.stated_speed_m_per_s > 0.0 ? Json(report.stated_speed_m_per_s) : Json(nullptr)}, {"stated_standard_error_m_per_s", report.stated_speed_error_m_per_s},
-                  {"from_delays_m_per_s", report.speed_m_per_s > 0.0 ? Json(report.speed_m_per_s) : Json(nullptr)}, {"from_delays_standard_error_m_per_s", report.speed_error_m_per_s}, {"pairs", report.speed_pairs}};
+    j["speed"] = {
+        {"stated_m_per_s", report.stated_speed_m_per_s > 0.0 ? Json(report.stated_speed_m_per_s) : Json(nullptr)},
+        {"stated_standard_error_m_per_s", report.stated_speed_error_m_per_s},
+        {"from_delays_m_per_s", report.speed_m_per_s > 0.0 ? Json(report.speed_m_per_s) : Json(nullptr)},
+        {"from_delays_standard_error_m_per_s", report.speed_error_m_per_s},
+        {"pairs", report.speed_pairs}};
     if (report.wheel_orders)
-        j["wheel_rotation"] = {{"rotation_hz", report.wheel_orders->rotation_hz}, {"standard_error_hz", report.wheel_orders->rotation_error_hz}, {"orders", report.wheel_orders->orders}, {"lines", report.wheel_orders->lines}, {"false_alarm_probability", report.wheel_orders->false_alarm}};
+        j["wheel_rotation"] = {{"rotation_hz", report.wheel_orders->rotation_hz},
+                               {"standard_error_hz", report.wheel_orders->rotation_error_hz},
+                               {"orders", report.wheel_orders->orders},
+                               {"lines", report.wheel_orders->lines},
+                               {"false_alarm_probability", report.wheel_orders->false_alarm}};
     j["faults"] = Json::array();
     for (const Fault& fault : report.faults) j["faults"].push_back(fault_json(fault));
     j["not_checked"] = report.not_checked;
     j["lacks"] = report.lacks;
     j["notes"] = report.notes;
     j["named_frequencies"] = Json::array();
-    for (const NamedFrequency& named : report.named_frequencies) j["named_frequencies"].push_back({{"frequency_hz", named.frequency_hz}, {"name", named.name}});
+    for (const NamedFrequency& named : report.named_frequencies)
+        j["named_frequencies"].push_back({{"frequency_hz", named.frequency_hz}, {"name", named.name}});
     j["frequency_hz"] = numbers(report.frequency_hz);
     j["channels"] = Json::array();
     for (const ChannelInspection& channel : report.channels) j["channels"].push_back(channel_json(channel));
     j["coherence"] = Json::array();
-    for (const PairCoherence& pair : report.coherences) j["coherence"].push_back({{"first", pair.first}, {"second", pair.second}, {"coherence", numbers(pair.coherence)}});
+    for (const PairCoherence& pair : report.coherences)
+        j["coherence"].push_back(
+            {{"first", pair.first}, {"second", pair.second}, {"coherence", numbers(pair.coherence)}});
     add_tables(report, j);
     return j;
 }

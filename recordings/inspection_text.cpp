@@ -30,12 +30,15 @@ std::string wrapped(const std::string& text, std::size_t indent) {
 }
 
 std::string channel_lines(const InspectionReport& report) {
-    std::string out = fmt::format("{:<16.16} {:<10} {:>7} {:>10} {:>10} {:>10} {:>10} {:>6}\n", "channel", "at", "unit", "rms", "peak", "mean", "noise <", "kurt.");
+    std::string out = fmt::format("{:<16.16} {:<10} {:>7} {:>10} {:>10} {:>10} {:>10} {:>6}\n", "channel", "at", "unit",
+                                  "rms", "peak", "mean", "noise <", "kurt.");
     constexpr std::size_t most = 16;
     for (std::size_t i = 0; i < std::min(most, report.channels.size()); ++i) {
         const ChannelInspection& c = report.channels[i];
-        out += fmt::format("{:<16.16} {:<10} {:>7} {:>10.4g} {:>10.4g} {:>10.3g} {:>10} {:>6.1f}\n", c.description.name, place_words(c.description),
-                           c.description.scale == Scale::unknown ? "?" : si_unit(c.description.quantity), c.rms, c.peak, c.mean, std::isnan(c.noise_rms) ? "-" : fmt::format("{:.3g}", c.noise_rms), c.kurtosis);
+        out += fmt::format("{:<16.16} {:<10} {:>7} {:>10.4g} {:>10.4g} {:>10.3g} {:>10} {:>6.1f}\n", c.description.name,
+                           place_words(c.description),
+                           c.description.scale == Scale::unknown ? "?" : si_unit(c.description.quantity), c.rms, c.peak,
+                           c.mean, std::isnan(c.noise_rms) ? "-" : fmt::format("{:.3g}", c.noise_rms), c.kurtosis);
     }
     if (report.channels.size() > most) out += fmt::format("… and {} more\n", report.channels.size() - most);
     return out;
@@ -59,7 +62,10 @@ std::string line_words(const InspectionReport& report) {
     int count = 0;
     for (const ChannelInspection& c : report.channels)
         for (std::size_t i = 0; i < c.lines.size(); ++i, ++count)
-            if (count < 6) out += fmt::format(" {:.2f} Hz in {} ({:.3g} rms{}),", c.lines[i].frequency_hz, c.description.name, std::sqrt(c.lines[i].mean_square), c.line_names[i].empty() ? "" : ": " + c.line_names[i]);
+            if (count < 6)
+                out += fmt::format(" {:.2f} Hz in {} ({:.3g} rms{}),", c.lines[i].frequency_hz, c.description.name,
+                                   std::sqrt(c.lines[i].mean_square),
+                                   c.line_names[i].empty() ? "" : ": " + c.line_names[i]);
     if (out.empty()) return "";
     out.back() = '.';
     return wrapped("Lines:" + out + (count > 6 ? fmt::format(" … {} in all.", count) : ""), 2);
@@ -68,11 +74,17 @@ std::string line_words(const InspectionReport& report) {
 std::string table_words(const InspectionReport& report) {
     std::string out;
     for (const ChannelSpectrum& s : report.spectra)
-        if (!s.frequency_hz.empty()) out += fmt::format("{:<16} {:>6} values, {:g} to {:g} Hz{}\n", s.description.name, s.psd.size(), s.frequency_hz.front(), s.frequency_hz.back(), s.standard_error.empty() ? "" : ", with standard errors");
+        if (!s.frequency_hz.empty())
+            out += fmt::format("{:<16} {:>6} values, {:g} to {:g} Hz{}\n", s.description.name, s.psd.size(),
+                               s.frequency_hz.front(), s.frequency_hz.back(),
+                               s.standard_error.empty() ? "" : ", with standard errors");
     if (!report.receptance.frequency_hz.empty())
-        out += fmt::format("receptance       {:>6} values, {:g} to {:g} Hz{}\n", report.receptance.frequency_hz.size(), report.receptance.frequency_hz.front(), report.receptance.frequency_hz.back(), report.receptance.has_phase ? "" : ", magnitude only");
+        out += fmt::format("receptance       {:>6} values, {:g} to {:g} Hz{}\n", report.receptance.frequency_hz.size(),
+                           report.receptance.frequency_hz.front(), report.receptance.frequency_hz.back(),
+                           report.receptance.has_phase ? "" : ", magnitude only");
     if (!report.decay_rate.centre_hz.empty())
-        out += fmt::format("decay rate       {:>6} bands, {:g} to {:g} Hz\n", report.decay_rate.centre_hz.size(), report.decay_rate.centre_hz.front(), report.decay_rate.centre_hz.back());
+        out += fmt::format("decay rate       {:>6} bands, {:g} to {:g} Hz\n", report.decay_rate.centre_hz.size(),
+                           report.decay_rate.centre_hz.front(), report.decay_rate.centre_hz.back());
     return out;
 }
 
@@ -82,7 +94,8 @@ std::string to_text(const InspectionReport& report) {
     std::string out = report.title.empty() ? "" : report.title + "\n";
     out += report.file + "\n";
     if (report.kind == RecordingKind::timeseries)
-        out += fmt::format("{} channels at {:g} Hz, {:.4g} s ({} samples each)\n", report.channels.size(), report.sampling_rate_hz, report.duration_s, report.samples);
+        out += fmt::format("{} channels at {:g} Hz, {:.4g} s ({} samples each)\n", report.channels.size(),
+                           report.sampling_rate_hz, report.duration_s, report.samples);
     out += "\n" + verdict_of(report) + "\n\n";
     for (const std::string& words : {speed_words(report), averages_words(report)})
         if (!words.empty()) out += wrapped(words, 2);
@@ -92,9 +105,14 @@ std::string to_text(const InspectionReport& report) {
     constexpr std::size_t most = 20;
     for (std::size_t i = 0; i < std::min(most, report.faults.size()); ++i) {
         const Fault& fault = report.faults[i];
-        out += wrapped(fmt::format("{:<7} {} {}{}: {}", severity_name(fault.severity), fault_name(fault.kind), fault_place(fault), fault.false_alarm > 1e-4 ? fmt::format(" (false alarm {:.1g})", fault.false_alarm) : "", fault.says), 10);
+        out += wrapped(
+            fmt::format("{:<7} {} {}{}: {}", severity_name(fault.severity), fault_name(fault.kind), fault_place(fault),
+                        fault.false_alarm > 1e-4 ? fmt::format(" (false alarm {:.1g})", fault.false_alarm) : "",
+                        fault.says),
+            10);
     }
-    if (report.faults.size() > most) out += fmt::format("… and {} more (--json has all)\n", report.faults.size() - most);
+    if (report.faults.size() > most)
+        out += fmt::format("… and {} more (--json has all)\n", report.faults.size() - most);
     const auto list = [&](const char* heading, const std::vector<std::string>& items) {
         if (items.empty()) return;
         out += std::string("\n") + heading + "\n";

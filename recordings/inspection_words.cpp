@@ -18,29 +18,41 @@ std::string place_words(const ChannelDescription& channel) {
 
 std::string fault_place(const Fault& fault) {
     std::string words = fault.channels.empty() ? "whole record" : fmt::format("{}", fmt::join(fault.channels, ", "));
-    if (fault.to_s > fault.from_s) words += fmt::format(", {:.2f}–{:.2f} s", fault.from_s, fault.to_s);
-    else if (fault.from_s > 0.0) words += fmt::format(", {:.2f} s", fault.from_s);
+    if (fault.to_s > fault.from_s)
+        words += fmt::format(", {:.2f}–{:.2f} s", fault.from_s, fault.to_s);
+    else if (fault.from_s > 0.0)
+        words += fmt::format(", {:.2f} s", fault.from_s);
     return words;
 }
 
 std::string speed_words(const InspectionReport& report) {
     std::string words;
     if (report.stated_speed_m_per_s > 0.0)
-        words = fmt::format("Speed: {:.4g} m/s ({:.4g} km/h) stated{}", report.stated_speed_m_per_s, 3.6 * report.stated_speed_m_per_s, report.stated_speed_error_m_per_s > 0.0 ? fmt::format(" ± {:.2g}", 1.645 * report.stated_speed_error_m_per_s) : "");
+        words = fmt::format("Speed: {:.4g} m/s ({:.4g} km/h) stated{}", report.stated_speed_m_per_s,
+                            3.6 * report.stated_speed_m_per_s,
+                            report.stated_speed_error_m_per_s > 0.0
+                                ? fmt::format(" ± {:.2g}", 1.645 * report.stated_speed_error_m_per_s)
+                                : "");
     if (report.speed_m_per_s > 0.0)
-        words += fmt::format("{}{:.5g} ± {:.2g} m/s by the delays of {} pair{} of channels (90 %)", words.empty() ? "Speed: " : ", ", report.speed_m_per_s, 1.645 * report.speed_error_m_per_s, report.speed_pairs, report.speed_pairs > 1 ? "s" : "");
+        words += fmt::format("{}{:.5g} ± {:.2g} m/s by the delays of {} pair{} of channels (90 %)",
+                             words.empty() ? "Speed: " : ", ", report.speed_m_per_s, 1.645 * report.speed_error_m_per_s,
+                             report.speed_pairs, report.speed_pairs > 1 ? "s" : "");
     if (report.wheel_orders) {
         const WheelOrders& w = *report.wheel_orders;
         const double speed = report.speed_m_per_s > 0.0 ? report.speed_m_per_s : report.stated_speed_m_per_s;
-        words += fmt::format("{}{} of {} lines are multiples of {:.4f} Hz: wheels of {:.3f} m radius at this speed", words.empty() ? "" : ". ", w.orders.size(), w.lines, w.rotation_hz, speed / (2.0 * std::numbers::pi * w.rotation_hz));
+        words += fmt::format("{}{} of {} lines are multiples of {:.4f} Hz: wheels of {:.3f} m radius at this speed",
+                             words.empty() ? "" : ". ", w.orders.size(), w.lines, w.rotation_hz,
+                             speed / (2.0 * std::numbers::pi * w.rotation_hz));
     }
     return words.empty() ? "" : words + ".";
 }
 
 std::string averages_words(const InspectionReport& report) {
     if (report.frequency_hz.empty()) return "";
-    return fmt::format("Spectra: 2 s Hann windows, 50 % overlap, {:.1f} independent averages: a bin is known to {:+.1f}/{:+.1f} dB (90 %); coherence above {:.2f} is significant (5 %).", report.averages, report.interval_low_db,
-                       report.interval_high_db, report.coherence_limit);
+    return fmt::format(
+        "Spectra: 2 s Hann windows, 50 % overlap, {:.1f} independent averages: a bin is known to {:+.1f}/{:+.1f} dB "
+        "(90 %); coherence above {:.2f} is significant (5 %).",
+        report.averages, report.interval_low_db, report.interval_high_db, report.coherence_limit);
 }
 
 }  // namespace railpem::recordings

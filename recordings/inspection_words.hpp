@@ -7,9 +7,9 @@
 
 namespace railpem::recordings {
 
-std::string place_words(const ChannelDescription& channel);       ///< "wheel 1", "body +9 m", "wheel 2 left"
-std::string fault_place(const Fault& fault);                      ///< channels and time of a fault: "axlebox_1 at 12.3 s"
-std::string speed_words(const InspectionReport& report);          ///< "" when nothing is known
-std::string averages_words(const InspectionReport& report);       ///< "" when there is no spectrum
+std::string place_words(const ChannelDescription& channel);  ///< "wheel 1", "body +9 m", "wheel 2 left"
+std::string fault_place(const Fault& fault);                 ///< channels and time of a fault: "axlebox_1 at 12.3 s"
+std::string speed_words(const InspectionReport& report);     ///< "" when nothing is known
+std::string averages_words(const InspectionReport& report);  ///< "" when there is no spectrum
 
 }  // namespace railpem::recordings

@@ -13,7 +13,8 @@ std::string to_text(const InspectionReport& report);
 /// Everything in the report but the spectrograms. Not-a-number becomes null.
 nlohmann::ordered_json to_json(const InspectionReport& report);
 
-/// A page that needs nothing beside it: verdict, faults, channels, spectra, coherence and spectrogram with the named lines.
+/// A page that needs nothing beside it: verdict, faults, channels, spectra, coherence and spectrogram with the named
+/// lines.
 std::string to_html(const InspectionReport& report);
 
 }  // namespace railpem::recordings

@@ -76,7 +76,9 @@ void write_table(int pipe, const DataTable& table) {
         const DataTable table = work();
         for (std::size_t i = 1; i < table.columns.size(); ++i)
             if (table.columns[i].size() != table.rows())
-                throw ReadError("", 0, fmt::format("'{}' has {} samples and '{}' has {}", table.names[0], table.rows(), table.names[i], table.columns[i].size()),
+                throw ReadError("", 0,
+                                fmt::format("'{}' has {} samples and '{}' has {}", table.names[0], table.rows(),
+                                            table.names[i], table.columns[i].size()),
                                 "channels of one length");
         const Answer answer = Answer::table;
         write_all(pipe, &answer, 1);
@@ -100,7 +102,9 @@ void write_table(int pipe, const DataTable& table) {
 /// The parent's end of the pipe: reads what was promised, or says that it did not come.
 class Answers {
   public:
-    Answers(int pipe, double seconds) : pipe_(pipe), until_(std::chrono::steady_clock::now() + std::chrono::milliseconds(static_cast<long>(1000.0 * seconds))) {}
+    Answers(int pipe, double seconds)
+        : pipe_(pipe),
+          until_(std::chrono::steady_clock::now() + std::chrono::milliseconds(static_cast<long>(1000.0 * seconds))) {}
     ~Answers() { close(pipe_); }
     Answers(const Answers&) = delete;
     Answers& operator=(const Answers&) = delete;
@@ -108,7 +112,9 @@ class Answers {
     bool read_all(void* data, std::size_t bytes) {
         char* at = static_cast<char*>(data);
         while (bytes > 0) {
-            const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(until_ - std::chrono::steady_clock::now()).count();
+            const auto left =
+                std::chrono::duration_cast<std::chrono::milliseconds>(until_ - std::chrono::steady_clock::now())
+                    .count();
             pollfd ready{pipe_, POLLIN, 0};
             const int polled = left > 0 ? poll(&ready, 1, static_cast<int>(std::min<long>(left, 1000000))) : 0;
             if (polled < 0 && errno == EINTR) continue;
@@ -131,9 +137,12 @@ class Answers {
 
     bool read_table(DataTable& table, const ReadLimits& limits) {
         std::array<std::size_t, 3> sizes{};
-        if (!read_all(sizes.data(), sizeof sizes) || !read_all(&table.sampling_rate_hz, sizeof table.sampling_rate_hz)) return false;
+        if (!read_all(sizes.data(), sizeof sizes) || !read_all(&table.sampling_rate_hz, sizeof table.sampling_rate_hz))
+            return false;
         const auto [columns, rows, notes] = sizes;
-        if (columns > limits.columns || notes > 1000 || rows > limits.memory_bytes / sizeof(double) / std::max<std::size_t>(1, columns)) return false;
+        if (columns > limits.columns || notes > 1000 ||
+            rows > limits.memory_bytes / sizeof(double) / std::max<std::size_t>(1, columns))
+            return false;
         table.names.resize(columns);
         table.notes.resize(notes);
         for (std::string& name : table.names)
@@ -156,7 +165,9 @@ class Answers {
 
 DataTable read_isolated(const std::string& file, const ReadLimits& limits, const std::function<DataTable()>& work) {
     std::array<int, 2> ends{};
-    if (pipe2(ends.data(), O_CLOEXEC) != 0) throw ReadError(file, 0, fmt::format("no pipe to its reader ({})", std::strerror(errno)), "a system with a free file descriptor");
+    if (pipe2(ends.data(), O_CLOEXEC) != 0)
+        throw ReadError(file, 0, fmt::format("no pipe to its reader ({})", std::strerror(errno)),
+                        "a system with a free file descriptor");
     const pid_t child = fork();
     if (child == 0) {
         close(ends[0]);
@@ -164,7 +175,9 @@ DataTable read_isolated(const std::string& file, const ReadLimits& limits, const
     }
     close(ends[1]);
     Answers answers(ends[0], limits.seconds);
-    if (child < 0) throw ReadError(file, 0, fmt::format("no process for its reader ({})", std::strerror(errno)), "a system that lets a process start");
+    if (child < 0)
+        throw ReadError(file, 0, fmt::format("no process for its reader ({})", std::strerror(errno)),
+                        "a system that lets a process start");
 
     Answer answer = Answer::refused;
     DataTable table;
@@ -182,7 +195,9 @@ DataTable read_isolated(const std::string& file, const ReadLimits& limits, const
     while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
     }
     if (refused) throw *refused;
-    if (!complete) throw ReadError(file, 0, "the file is damaged: its reader stopped in the middle", "a complete file of its kind");
+    if (!complete)
+        throw ReadError(file, 0, "the file is damaged: its reader stopped in the middle",
+                        "a complete file of its kind");
     return table;
 }
 

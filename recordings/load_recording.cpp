@@ -24,26 +24,34 @@ enum class Format { csv, mat, uff, wav, hdf5 };
 
 Format format_of(const fs::path& file) {
     std::string name = file.filename().string();
-    std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    const auto ends = [&](std::string_view end) { return name.size() >= end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0; };
+    std::transform(name.begin(), name.end(), name.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const auto ends = [&](std::string_view end) {
+        return name.size() >= end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0;
+    };
     if (ends(".csv") || ends(".csv.gz") || ends(".txt") || ends(".tsv") || ends(".txt.gz")) return Format::csv;
     if (ends(".mat")) return Format::mat;
     if (ends(".uff") || ends(".unv")) return Format::uff;
     if (ends(".wav") || ends(".w64") || ends(".rf64")) return Format::wav;
     if (ends(".h5") || ends(".hdf5")) return Format::hdf5;
-    throw ParameterError("data", fmt::format("'{}' has an ending that is not known", file.filename().string()), ".csv, .csv.gz, .txt, .tsv, .mat, .uff, .unv, .wav, .w64, .h5");
+    throw ParameterError("data", fmt::format("'{}' has an ending that is not known", file.filename().string()),
+                         ".csv, .csv.gz, .txt, .tsv, .mat, .uff, .unv, .wav, .w64, .h5");
 }
 
 fs::path data_path(const RecordingDescription& description, const fs::path& base) {
-    const fs::path path = fs::path(description.data).is_absolute() ? fs::path(description.data) : base / description.data;
+    const fs::path path =
+        fs::path(description.data).is_absolute() ? fs::path(description.data) : base / description.data;
     std::error_code ignored;
-    if (!fs::exists(path, ignored)) throw ReadError(path.string(), 0, "there is no such file", "a data file beside the description");
+    if (!fs::exists(path, ignored))
+        throw ReadError(path.string(), 0, "there is no such file", "a data file beside the description");
     if (!fs::is_regular_file(path, ignored)) throw ReadError(path.string(), 0, "is not a file", "a regular file");
     if (fs::file_size(path, ignored) == 0) throw ReadError(path.string(), 0, "the file is empty", "a file with data");
     return path;
 }
 
-const std::string& column_of(const ChannelDescription& channel) { return channel.column.empty() ? channel.name : channel.column; }
+const std::string& column_of(const ChannelDescription& channel) {
+    return channel.column.empty() ? channel.name : channel.column;
+}
 
 /// Columns to read: every channel once, then the time.
 std::vector<std::string> wanted_columns(const RecordingDescription& description, const std::string& time_column) {
@@ -83,37 +91,54 @@ double rate_from_time(const std::vector<double>& time) {
 }
 
 /// Puts the columns of the table into channels, in SI units.
-void fill_series(const RecordingDescription& description, const DataTable& table, const std::string& time_column, const std::string& file, Recording& recording) {
+void fill_series(const RecordingDescription& description, const DataTable& table, const std::string& time_column,
+                 const std::string& file, Recording& recording) {
     TimeSeries& series = recording.series;
-    const auto column = [&](const std::string& name) -> const std::vector<double>& { return table.columns[require_name(name, table.names, "column", file, 0)]; };
+    const auto column = [&](const std::string& name) -> const std::vector<double>& {
+        return table.columns[require_name(name, table.names, "column", file, 0)];
+    };
     if (!time_column.empty()) series.time_s = column(time_column);
     series.sampling_rate_hz = description.sampling_rate_hz > 0.0 ? description.sampling_rate_hz
                               : table.sampling_rate_hz > 0.0     ? table.sampling_rate_hz
                                                                  : rate_from_time(series.time_s);
     if (!(series.sampling_rate_hz > 0.0) || !std::isfinite(series.sampling_rate_hz))
-        throw ParameterError("sampling_rate_hz", "neither the description nor the data file says the sampling rate", "a value greater than 0, or a column time_s");
+        throw ParameterError("sampling_rate_hz", "neither the description nor the data file says the sampling rate",
+                             "a value greater than 0, or a column time_s");
     if (table.sampling_rate_hz > 0.0 && std::abs(table.sampling_rate_hz / series.sampling_rate_hz - 1.0) > 1e-4)
-        recording.notes.push_back(fmt::format("the data file says a sampling rate of {:g} Hz, the description {:g} Hz: the description was used", table.sampling_rate_hz, series.sampling_rate_hz));
+        recording.notes.push_back(fmt::format(
+            "the data file says a sampling rate of {:g} Hz, the description {:g} Hz: the description was used",
+            table.sampling_rate_hz, series.sampling_rate_hz));
     for (std::size_t i = 0; i < description.channels.size(); ++i) {
         const ChannelDescription& channel = description.channels[i];
-        const double factor = channel.scale_factor * to_si_factor(channel.unit, channel.quantity, fmt::format("channel[{}].unit", i + 1));
+        const double factor =
+            channel.scale_factor * to_si_factor(channel.unit, channel.quantity, fmt::format("channel[{}].unit", i + 1));
         std::vector<double> samples = column(column_of(channel));
         for (double& sample : samples) sample *= factor;
-        if (channel.quantity == ChannelQuantity::speed) series.speed_m_per_s = std::move(samples);
-        else if (channel.quantity == ChannelQuantity::mileage) series.mileage_m = std::move(samples);
-        else series.channels.push_back({channel, std::move(samples)});
+        if (channel.quantity == ChannelQuantity::speed)
+            series.speed_m_per_s = std::move(samples);
+        else if (channel.quantity == ChannelQuantity::mileage)
+            series.mileage_m = std::move(samples);
+        else
+            series.channels.push_back({channel, std::move(samples)});
     }
-    if (series.channels.empty()) throw ParameterError("channel", "no channel measures a vibration", "at least one acceleration, velocity or displacement");
+    if (series.channels.empty())
+        throw ParameterError("channel", "no channel measures a vibration",
+                             "at least one acceleration, velocity or displacement");
     recording.notes.insert(recording.notes.end(), table.notes.begin(), table.notes.end());
 }
 
 DataTable read_table(const fs::path& path, const std::vector<std::string>& wanted, const ReadLimits& limits) {
     switch (format_of(path)) {
-        case Format::csv: return read_csv(path.string(), wanted, limits);
-        case Format::mat: return read_mat(path.string(), wanted, limits);
-        case Format::uff: return uff_time_table(path.string(), wanted, limits);
-        case Format::wav: return read_wav(path.string(), wanted, limits);
-        case Format::hdf5: return read_hdf5(path.string(), wanted, limits);
+        case Format::csv:
+            return read_csv(path.string(), wanted, limits);
+        case Format::mat:
+            return read_mat(path.string(), wanted, limits);
+        case Format::uff:
+            return uff_time_table(path.string(), wanted, limits);
+        case Format::wav:
+            return read_wav(path.string(), wanted, limits);
+        case Format::hdf5:
+            return read_hdf5(path.string(), wanted, limits);
     }
     return {};
 }
@@ -127,26 +152,40 @@ Recording empty_recording(const RecordingDescription& description, const fs::pat
 
 }  // namespace
 
-std::uintmax_t data_file_bytes(const RecordingDescription& description, const fs::path& base) { return fs::file_size(data_path(description, base)); }
+std::uintmax_t data_file_bytes(const RecordingDescription& description, const fs::path& base) {
+    return fs::file_size(data_path(description, base));
+}
 
 Recording load(const RecordingDescription& description, const fs::path& base, const ReadLimits& limits) {
     check(description);
     const fs::path path = data_path(description, base);
     Recording recording = empty_recording(description, path);
     switch (description.kind) {
-        case RecordingKind::timeseries: break;
-        case RecordingKind::psd: load_psd(recording, limits); return recording;
-        case RecordingKind::points: load_points(recording, limits); return recording;
-        case RecordingKind::receptance: load_receptance(recording, limits); return recording;
-        case RecordingKind::decay_rate: load_decay_rate(recording, limits); return recording;
+        case RecordingKind::timeseries:
+            break;
+        case RecordingKind::psd:
+            load_psd(recording, limits);
+            return recording;
+        case RecordingKind::points:
+            load_points(recording, limits);
+            return recording;
+        case RecordingKind::receptance:
+            load_receptance(recording, limits);
+            return recording;
+        case RecordingKind::decay_rate:
+            load_decay_rate(recording, limits);
+            return recording;
     }
     std::string time_column = description.time_column;
-    if (format_of(path) == Format::csv) time_column = csv_time_column(description, CsvReader(path.string(), limits).names());
-    fill_series(description, read_table(path, wanted_columns(description, time_column), limits), time_column, path.string(), recording);
+    if (format_of(path) == Format::csv)
+        time_column = csv_time_column(description, CsvReader(path.string(), limits).names());
+    fill_series(description, read_table(path, wanted_columns(description, time_column), limits), time_column,
+                path.string(), recording);
     return recording;
 }
 
-void load_in_sections(const RecordingDescription& description, const fs::path& base, std::size_t samples, const std::function<void(const Recording&)>& work, const ReadLimits& limits) {
+void load_in_sections(const RecordingDescription& description, const fs::path& base, std::size_t samples,
+                      const std::function<void(const Recording&)>& work, const ReadLimits& limits) {
     check(description);
     const fs::path path = data_path(description, base);
     if (description.kind != RecordingKind::timeseries || format_of(path) != Format::csv) {
@@ -159,7 +198,8 @@ void load_in_sections(const RecordingDescription& description, const fs::path& b
     table.names = wanted_columns(description, time_column);
     table.notes = reader.notes();
     std::vector<std::size_t> selected;
-    for (const std::string& name : table.names) selected.push_back(require_name(name, reader.names(), "column", path.string(), reader.header_line()));
+    for (const std::string& name : table.names)
+        selected.push_back(require_name(name, reader.names(), "column", path.string(), reader.header_line()));
     reader.select(selected);
     std::size_t done = 0;
     RecordingDescription fixed = description;
@@ -175,7 +215,9 @@ void load_in_sections(const RecordingDescription& description, const fs::path& b
         table.notes.clear();
         work(recording);
     }
-    if (done == 0) throw ReadError(path.string(), reader.header_line(), "there is no row of numbers under the header", "rows of numbers");
+    if (done == 0)
+        throw ReadError(path.string(), reader.header_line(), "there is no row of numbers under the header",
+                        "rows of numbers");
 }
 
 }  // namespace railpem::recordings

@@ -15,7 +15,8 @@ void append_chunk(std::string& out, const std::string& kind, const std::string& 
     append_word(out, static_cast<std::uint32_t>(content.size()));
     const std::string checked = kind + content;
     out += checked;
-    append_word(out, static_cast<std::uint32_t>(crc32(0, reinterpret_cast<const Bytef*>(checked.data()), static_cast<uInt>(checked.size()))));
+    append_word(out, static_cast<std::uint32_t>(
+                         crc32(0, reinterpret_cast<const Bytef*>(checked.data()), static_cast<uInt>(checked.size()))));
 }
 
 }  // namespace
@@ -29,7 +30,9 @@ std::string png_image(std::size_t width, std::size_t height, const std::vector<s
     }
     uLongf size = compressBound(static_cast<uLong>(rows.size()));
     std::string compressed(size, '\0');
-    [[maybe_unused]] const int done = compress2(reinterpret_cast<Bytef*>(compressed.data()), &size, reinterpret_cast<const Bytef*>(rows.data()), static_cast<uLong>(rows.size()), 9);
+    [[maybe_unused]] const int done =
+        compress2(reinterpret_cast<Bytef*>(compressed.data()), &size, reinterpret_cast<const Bytef*>(rows.data()),
+                  static_cast<uLong>(rows.size()), 9);
     assert(done == Z_OK);
     compressed.resize(size);
     std::string header;
@@ -48,7 +51,8 @@ std::string base64(const std::string& bytes) {
     std::string out;
     for (std::size_t i = 0; i < bytes.size(); i += 3) {
         std::uint32_t group = 0;
-        for (std::size_t k = 0; k < 3; ++k) group = group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
+        for (std::size_t k = 0; k < 3; ++k)
+            group = group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
         for (std::size_t k = 0; k < 4; ++k) out += i + k <= bytes.size() ? digits[(group >> (18 - 6 * k)) & 63] : '=';
     }
     return out;

@@ -22,7 +22,9 @@ bool is_number(std::string_view field, const CsvDialect& dialect) {
 
 }  // namespace
 
-CsvReader::CsvReader(std::string file, const ReadLimits& limits) : limits_(limits), lines_(std::move(file), limits) { read_header(); }
+CsvReader::CsvReader(std::string file, const ReadLimits& limits) : limits_(limits), lines_(std::move(file), limits) {
+    read_header();
+}
 
 void CsvReader::read_header() {
     std::string_view line;
@@ -43,17 +45,25 @@ void CsvReader::read_header() {
     dialect_ = detect_dialect(header, ahead_);
     split_fields(header, dialect_.delimiter, fields_);
     if (dialect_.trailing_delimiter) fields_.pop_back();
-    if (fields_.size() > limits_.columns) throw ReadError(file(), header_line_, fmt::format("{} columns", fields_.size()), fmt::format("at most {} columns", limits_.columns));
+    if (fields_.size() > limits_.columns)
+        throw ReadError(file(), header_line_, fmt::format("{} columns", fields_.size()),
+                        fmt::format("at most {} columns", limits_.columns));
     bool converted = false;
     for (const std::string_view field : fields_) names_.push_back(to_utf8(field, converted));
     if (converted) notes_.push_back("the header is not UTF-8 and was read as Latin-1");
     if (std::all_of(fields_.begin(), fields_.end(), [&](std::string_view field) { return is_number(field, dialect_); }))
-        throw ReadError(file(), header_line_, "the first row holds numbers: there is no header", "a first row with the names of the columns");
+        throw ReadError(file(), header_line_, "the first row holds numbers: there is no header",
+                        "a first row with the names of the columns");
     if (!ahead_.empty()) {
         split_fields(ahead_.front(), dialect_.delimiter, fields_);
-        if (std::none_of(fields_.begin(), fields_.end(), [&](std::string_view field) { return is_number(field, dialect_); }) && ahead_.size() > 1 &&
-            std::any_of(fields_.begin(), fields_.end(), [&](std::string_view field) { double v = 0; return !parse_number(field, dialect_.decimal_comma, v); })) {
-            notes_.push_back(fmt::format("line {} was taken as a row of units and not used: {}", ahead_lines_.front(), text_of(ahead_.front())));
+        if (std::none_of(fields_.begin(), fields_.end(),
+                         [&](std::string_view field) { return is_number(field, dialect_); }) &&
+            ahead_.size() > 1 && std::any_of(fields_.begin(), fields_.end(), [&](std::string_view field) {
+                double v = 0;
+                return !parse_number(field, dialect_.decimal_comma, v);
+            })) {
+            notes_.push_back(fmt::format("line {} was taken as a row of units and not used: {}", ahead_lines_.front(),
+                                         text_of(ahead_.front())));
             ahead_used_ = 1;
         }
     }
@@ -84,7 +94,8 @@ bool CsvReader::next_data_line(std::string_view& line) {
         return true;
     }
     while (lines_.next(line)) {
-        const bool begins_like_a_number = !line.empty() && (line.front() == '-' || (line.front() >= '0' && line.front() <= '9'));
+        const bool begins_like_a_number =
+            !line.empty() && (line.front() == '-' || (line.front() >= '0' && line.front() <= '9'));
         if (!begins_like_a_number && is_comment(line)) continue;
         line_ = lines_.line_number();
         row_was_cut_ = lines_.last_line_was_cut();
@@ -102,7 +113,8 @@ bool CsvReader::parse_plain_row(std::string_view line, std::vector<std::vector<d
         double value = 0.0;
         const int target = target_[i];
         const auto [stop, error] = std::from_chars(at, end, value);
-        const bool complete = error == std::errc() && std::isfinite(value) && (i + 1 < count ? stop != end && *stop == dialect_.delimiter : stop == end);
+        const bool complete = error == std::errc() && std::isfinite(value) &&
+                              (i + 1 < count ? stop != end && *stop == dialect_.delimiter : stop == end);
         if (!complete) {
             for (std::size_t j = 0; j < i; ++j)
                 if (target_[j] >= 0) columns[static_cast<std::size_t>(target_[j])].pop_back();
@@ -115,12 +127,16 @@ bool CsvReader::parse_plain_row(std::string_view line, std::vector<std::vector<d
 }
 
 void CsvReader::parse_row(std::string_view line, std::vector<std::vector<double>>& columns) {
-    if (!dialect_.decimal_comma && dialect_.delimiter != ' ' && !dialect_.trailing_delimiter && parse_plain_row(line, columns)) return;
+    if (!dialect_.decimal_comma && dialect_.delimiter != ' ' && !dialect_.trailing_delimiter &&
+        parse_plain_row(line, columns))
+        return;
     split_fields(line, dialect_.delimiter, fields_);
-    if (dialect_.trailing_delimiter && fields_.size() == names_.size() + 1 && fields_.back().empty()) fields_.pop_back();
+    if (dialect_.trailing_delimiter && fields_.size() == names_.size() + 1 && fields_.back().empty())
+        fields_.pop_back();
     if (fields_.size() != names_.size())
         throw ReadError(file(), line_,
-                        row_was_cut_ ? fmt::format("the file stops in the middle of a row ({} of {} fields)", fields_.size(), names_.size())
+                        row_was_cut_ ? fmt::format("the file stops in the middle of a row ({} of {} fields)",
+                                                   fields_.size(), names_.size())
                                      : fmt::format("{} fields where the header has {}", fields_.size(), names_.size()),
                         fmt::format("{} fields in every row", names_.size()));
     for (std::size_t i = 0; i < fields_.size(); ++i) {
@@ -128,8 +144,10 @@ void CsvReader::parse_row(std::string_view line, std::vector<std::vector<double>
         const bool number = parse_number(fields_[i], dialect_.decimal_comma, value);
         if (target_[i] < 0) continue;
         if (!number)
-            throw ReadError(file(), line_, fmt::format("'{}' in column '{}' is not a number", text_of(fields_[i]), text_of(names_[i])),
-                            dialect_.decimal_comma ? "numbers with a decimal comma, or an empty field" : "numbers with a decimal point, or an empty field");
+            throw ReadError(file(), line_,
+                            fmt::format("'{}' in column '{}' is not a number", text_of(fields_[i]), text_of(names_[i])),
+                            dialect_.decimal_comma ? "numbers with a decimal comma, or an empty field"
+                                                   : "numbers with a decimal point, or an empty field");
         columns[static_cast<std::size_t>(target_[i])].push_back(value);
     }
 }
@@ -148,7 +166,8 @@ DataTable read_csv(const std::string& file, const std::vector<std::string>& want
     CsvReader reader(file, limits);
     DataTable table;
     std::vector<std::size_t> selected;
-    for (const std::string& name : wanted) selected.push_back(require_name(name, reader.names(), "column", file, reader.header_line()));
+    for (const std::string& name : wanted)
+        selected.push_back(require_name(name, reader.names(), "column", file, reader.header_line()));
     if (wanted.empty())
         for (std::size_t i = 0; i < reader.names().size(); ++i) selected.push_back(i);
     for (const std::size_t index : selected) table.names.push_back(reader.names()[index]);
@@ -157,8 +176,11 @@ DataTable read_csv(const std::string& file, const std::vector<std::string>& want
     constexpr std::size_t rows_at_once = 65536;
     while (reader.read(rows_at_once, table.columns) > 0)
         if (table.rows() * std::max<std::size_t>(1, selected.size()) * sizeof(double) > limits.memory_bytes)
-            throw ReadError(file, 0, fmt::format("more than {} MB of numbers to hold at once", limits.memory_bytes >> 20), "reading it in sections");
-    if (table.rows() == 0) throw ReadError(file, reader.header_line(), "there is no row of numbers under the header", "rows of numbers");
+            throw ReadError(file, 0,
+                            fmt::format("more than {} MB of numbers to hold at once", limits.memory_bytes >> 20),
+                            "reading it in sections");
+    if (table.rows() == 0)
+        throw ReadError(file, reader.header_line(), "there is no row of numbers under the header", "rows of numbers");
     table.notes = reader.notes();
     return table;
 }
@@ -174,7 +196,9 @@ std::vector<std::vector<std::string>> read_csv_text(const std::string& file, con
         kept.emplace_back(line);
         numbers.push_back(lines.line_number());
         bytes += line.size();
-        if (bytes > limits.memory_bytes / 8) throw ReadError(file, lines.line_number(), "the table is too large", fmt::format("at most {} MB of text", limits.memory_bytes >> 23));
+        if (bytes > limits.memory_bytes / 8)
+            throw ReadError(file, lines.line_number(), "the table is too large",
+                            fmt::format("at most {} MB of text", limits.memory_bytes >> 23));
     }
     if (kept.size() < 2) throw ReadError(file, 0, "there is no row under the header", "a header row and rows");
     char delimiter = ',';
@@ -185,7 +209,9 @@ std::vector<std::vector<std::string>> read_csv_text(const std::string& file, con
     for (std::size_t i = 0; i < kept.size(); ++i) {
         split_fields(kept[i], delimiter, fields);
         if (!rows.empty() && fields.size() != rows.front().size())
-            throw ReadError(file, numbers[i], fmt::format("{} fields where the header has {}", fields.size(), rows.front().size()), fmt::format("{} fields in every row", rows.front().size()));
+            throw ReadError(file, numbers[i],
+                            fmt::format("{} fields where the header has {}", fields.size(), rows.front().size()),
+                            fmt::format("{} fields in every row", rows.front().size()));
         bool converted = false;
         rows.emplace_back();
         for (const std::string_view field : fields) rows.back().push_back(to_utf8(field, converted));

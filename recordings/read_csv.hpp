@@ -11,8 +11,8 @@
 namespace railpem::recordings {
 
 /// A CSV file read section by section, so that its size does not matter.
-/// Header row; comma, semicolon, tab or blanks between the fields; decimal point or comma; comments (#, %, //) and empty
-/// lines; a byte order mark; a row of units under the header; gzip. An empty field is a missing sample (NaN).
+/// Header row; comma, semicolon, tab or blanks between the fields; decimal point or comma; comments (#, %, //) and
+/// empty lines; a byte order mark; a row of units under the header; gzip. An empty field is a missing sample (NaN).
 /// Ragged rows, text among numbers and a file that stops in the middle of a row are refused with their line.
 class CsvReader {
   public:
@@ -29,8 +29,8 @@ class CsvReader {
     /// Reads only these columns (indices into names()). Default: all. Columns not selected are counted, not parsed.
     void select(std::vector<std::size_t> columns);
 
-    /// Appends up to `rows` rows of the selected columns to `columns` (one vector per selected column); returns how many.
-    /// Throws ReadError.
+    /// Appends up to `rows` rows of the selected columns to `columns` (one vector per selected column); returns how
+    /// many. Throws ReadError.
     std::size_t read(std::size_t rows, std::vector<std::vector<double>>& columns);
 
   private:
@@ -45,7 +45,7 @@ class CsvReader {
     std::vector<std::string> names_;
     CsvDialect dialect_;
     std::vector<std::string> notes_;
-    std::vector<int> target_;        ///< per column of the file: index of the selected column, or −1
+    std::vector<int> target_;         ///< per column of the file: index of the selected column, or −1
     std::vector<std::string> ahead_;  ///< rows read while finding the dialect
     std::size_t ahead_used_ = 0;
     std::vector<std::size_t> ahead_lines_;

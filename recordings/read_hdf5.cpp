@@ -65,12 +65,14 @@ double rate_attribute(hid_t object) {
     const Handle attribute(H5Aopen(object, "sampling_rate_hz", H5P_DEFAULT), H5Aclose);
     const Handle space(attribute.valid() ? H5Aget_space(attribute) : -1, H5Sclose);
     double rate = 0.0;
-    if (!space.valid() || H5Sget_simple_extent_npoints(space) != 1 || H5Aread(attribute, H5T_NATIVE_DOUBLE, &rate) < 0) return 0.0;
+    if (!space.valid() || H5Sget_simple_extent_npoints(space) != 1 || H5Aread(attribute, H5T_NATIVE_DOUBLE, &rate) < 0)
+        return 0.0;
     return rate;
 }
 
 /// One column of the dataset (from 0).
-std::vector<double> read_column(const std::string& file, const std::string& name, hid_t dataset, const Shape& shape, std::size_t column) {
+std::vector<double> read_column(const std::string& file, const std::string& name, hid_t dataset, const Shape& shape,
+                                std::size_t column) {
     std::vector<double> values(shape.rows);
     const Handle space(H5Dget_space(dataset), H5Sclose);
     const hsize_t count_all = shape.rows;
@@ -106,17 +108,24 @@ DataTable read_hdf5_here(const std::string& file, const std::vector<std::string>
         Shape shape;
         if (!dataset.valid() || !shape_of(dataset, shape)) {
             if (wanted.empty()) continue;
-            throw ReadError(file, 0, fmt::format("the dataset '{}' is not one of real numbers", name.name), "a numeric dataset of one or two dimensions");
+            throw ReadError(file, 0, fmt::format("the dataset '{}' is not one of real numbers", name.name),
+                            "a numeric dataset of one or two dimensions");
         }
         if (table.sampling_rate_hz <= 0.0) table.sampling_rate_hz = rate_attribute(dataset);
         if (name.column > shape.columns || (!wanted.empty() && name.column == 0 && shape.columns > 1))
-            throw ReadError(file, 0, fmt::format("the dataset '{}' has {} columns, '{}' does not name one", name.name, shape.columns, text), fmt::format("{0}:1 to {0}:{1}", name.name, shape.columns));
+            throw ReadError(
+                file, 0,
+                fmt::format("the dataset '{}' has {} columns, '{}' does not name one", name.name, shape.columns, text),
+                fmt::format("{0}:1 to {0}:{1}", name.name, shape.columns));
         const std::size_t first = name.column > 0 ? name.column - 1 : 0;
         for (std::size_t i = first; i < (name.column > 0 ? name.column : shape.columns); ++i) {
             bytes += shape.rows * sizeof(double);
             if (bytes > limits.memory_bytes || table.names.size() >= limits.columns)
-                throw ReadError(file, 0, "too many numbers to hold at once", fmt::format("at most {} MB", limits.memory_bytes >> 20));
-            table.names.push_back(!wanted.empty() ? text : shape.columns > 1 ? fmt::format("{}:{}", name.name, i + 1) : name.name);
+                throw ReadError(file, 0, "too many numbers to hold at once",
+                                fmt::format("at most {} MB", limits.memory_bytes >> 20));
+            table.names.push_back(!wanted.empty()     ? text
+                                  : shape.columns > 1 ? fmt::format("{}:{}", name.name, i + 1)
+                                                      : name.name);
             table.columns.push_back(read_column(file, name.name, dataset, shape, i));
         }
     }

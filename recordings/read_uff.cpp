@@ -70,13 +70,15 @@ long integer_in(const Walker& walker, std::string_view line, std::size_t begin, 
     if (field.front() == '+') field.remove_prefix(1);
     long value = 0;
     const auto [stop, error] = std::from_chars(field.data(), field.data() + field.size(), value);
-    if (error != std::errc() || stop != field.data() + field.size()) walker.fail(fmt::format("columns {} to {} do not hold a whole number", begin + 1, begin + width));
+    if (error != std::errc() || stop != field.data() + field.size())
+        walker.fail(fmt::format("columns {} to {} do not hold a whole number", begin + 1, begin + width));
     return value;
 }
 
 int small_integer_in(const Walker& walker, std::string_view line, std::size_t begin, std::size_t width) {
     const long value = integer_in(walker, line, begin, width);
-    if (value < -1000000000L || value > 1000000000L) walker.fail(fmt::format("columns {} to {} hold a number out of range", begin + 1, begin + width));
+    if (value < -1000000000L || value > 1000000000L)
+        walker.fail(fmt::format("columns {} to {} hold a number out of range", begin + 1, begin + width));
     return static_cast<int>(value);
 }
 
@@ -99,7 +101,8 @@ double number_in(const Walker& walker, std::string_view line, std::size_t begin,
     std::string_view field = begin < line.size() ? without_blanks(line.substr(begin, width)) : std::string_view();
     if (field.empty()) return 0.0;
     double value = 0.0;
-    if (!take_number(field, value) || !field.empty() || !std::isfinite(value)) walker.fail(fmt::format("columns {} to {} do not hold a number", begin + 1, begin + width));
+    if (!take_number(field, value) || !field.empty() || !std::isfinite(value))
+        walker.fail(fmt::format("columns {} to {} do not hold a number", begin + 1, begin + width));
     return value;
 }
 
@@ -114,7 +117,9 @@ std::string text_of(std::string_view text) {
     return to_utf8(without_blanks(text.substr(0, 80)), converted);
 }
 
-std::string field_text(std::string_view line, std::size_t begin, std::size_t width) { return begin < line.size() ? text_of(line.substr(begin, width)) : std::string(); }
+std::string field_text(std::string_view line, std::size_t begin, std::size_t width) {
+    return begin < line.size() ? text_of(line.substr(begin, width)) : std::string();
+}
 
 Binary binary_header(const Walker& walker, std::string_view line) {
     Binary binary;
@@ -151,7 +156,9 @@ Layout read_records(Walker& walker, UffDataset& dataset) {
     line = walker.require("record 7 of a dataset 58");
     Layout layout;
     layout.ordinate_type = small_integer_in(walker, line, 0, 10);
-    if (layout.ordinate_type != 2 && layout.ordinate_type != 4 && layout.ordinate_type != 5 && layout.ordinate_type != 6) walker.fail(fmt::format("ordinates of type {}", layout.ordinate_type));
+    if (layout.ordinate_type != 2 && layout.ordinate_type != 4 && layout.ordinate_type != 5 &&
+        layout.ordinate_type != 6)
+        walker.fail(fmt::format("ordinates of type {}", layout.ordinate_type));
     const long points = integer_in(walker, line, 10, 10);
     if (points < 0) walker.fail(fmt::format("{} values", points));
     layout.points = static_cast<std::size_t>(points);
@@ -159,7 +166,8 @@ Layout read_records(Walker& walker, UffDataset& dataset) {
     dataset.complex = layout.ordinate_type >= 5;
     dataset.abscissa_start = number_in(walker, line, 30, 13);
     dataset.abscissa_step = number_in(walker, line, 43, 13);
-    if (layout.even && layout.points > 1 && !(dataset.abscissa_step > 0.0)) walker.fail("an even abscissa whose step is not positive");
+    if (layout.even && layout.points > 1 && !(dataset.abscissa_step > 0.0))
+        walker.fail("an even abscissa whose step is not positive");
 
     const auto axis = [&](int& kind, std::string& unit, const char* what) {
         const std::string_view record = walker.require(what);
@@ -186,13 +194,15 @@ void store(UffDataset& dataset, const Layout& layout, std::size_t place, double 
 
 void read_text_data(Walker& walker, const Layout& layout, UffDataset& dataset) {
     const std::size_t count = layout.points * ((layout.even ? 0 : 1) + (dataset.complex ? 2 : 1));
-    if (layout.points > walker.left()) walker.fail(fmt::format("{} values are promised, more than the file can hold", layout.points));
+    if (layout.points > walker.left())
+        walker.fail(fmt::format("{} values are promised, more than the file can hold", layout.points));
     for (std::size_t done = 0; done < count;) {
         std::string_view line = walker.require("the last value of a dataset 58");
         double value = 0.0;
         std::size_t in_line = 0;
         for (; done < count && take_number(line, value); ++done, ++in_line) store(dataset, layout, done, value);
-        if (in_line == 0 || !without_blanks(line).empty()) walker.fail("a line of data that does not hold numbers only");
+        if (in_line == 0 || !without_blanks(line).empty())
+            walker.fail("a line of data that does not hold numbers only");
     }
 }
 
@@ -212,12 +222,16 @@ void read_binary_data(Walker& walker, const Binary& binary, const Layout& layout
     // The abscissa of uneven data is always of single precision.
     const std::size_t per_point = (layout.even ? 0 : 4) + (dataset.complex ? 2 : 1) * ordinate_bytes;
     if (layout.points > walker.left() / per_point) walker.fail("the file ends in the middle of binary data");
-    if (binary.bytes != layout.points * per_point) walker.fail(fmt::format("{} bytes of data are announced where {} values need {}", binary.bytes, layout.points, layout.points * per_point));
+    if (binary.bytes != layout.points * per_point)
+        walker.fail(fmt::format("{} bytes of data are announced where {} values need {}", binary.bytes, layout.points,
+                                layout.points * per_point));
     const std::string_view data = walker.bytes(binary.bytes);
     for (std::size_t place = 0, at = 0; at < data.size(); ++place) {
         const bool is_abscissa = !layout.even && place % (dataset.complex ? 3 : 2) == 0;
         const bool is_single = single || is_abscissa;
-        store(dataset, layout, place, is_single ? number_of<float, std::uint32_t>(data.substr(at, 4), binary.big_endian) : number_of<double, std::uint64_t>(data.substr(at, 8), binary.big_endian));
+        store(dataset, layout, place,
+              is_single ? number_of<float, std::uint32_t>(data.substr(at, 4), binary.big_endian)
+                        : number_of<double, std::uint64_t>(data.substr(at, 8), binary.big_endian));
         at += is_single ? 4 : 8;
     }
 }
@@ -232,7 +246,9 @@ std::string read_whole(const std::string& file, const ReadLimits& limits) {
     std::ifstream stream(file, std::ios::binary | std::ios::ate);
     if (!stream) throw ReadError(file, 0, "cannot be opened", "a file that exists and may be read");
     const std::streamoff size = stream.tellg();
-    if (size < 0 || static_cast<std::size_t>(size) > limits.memory_bytes) throw ReadError(file, 0, "the file is too large, or no file", fmt::format("at most {} MB", limits.memory_bytes >> 20));
+    if (size < 0 || static_cast<std::size_t>(size) > limits.memory_bytes)
+        throw ReadError(file, 0, "the file is too large, or no file",
+                        fmt::format("at most {} MB", limits.memory_bytes >> 20));
     std::string content(static_cast<std::size_t>(size), '\0');
     stream.seekg(0);
     if (!stream.read(content.data(), size)) throw ReadError(file, 0, "cannot be read", "a file that may be read");
@@ -262,43 +278,16 @@ std::vector<UffDataset> read_uff(const std::string& file, const ReadLimits& limi
         const Binary binary = binary_header(walker, line);
         UffDataset dataset;
         const Layout layout = read_records(walker, dataset);
-        if (binary.is) read_binary_data(walker, binary, layout, dataset);
-        else read_text_data(walker, layout, dataset);
+        if (binary.is)
+            read_binary_data(walker, binary, layout, dataset);
+        else
+            read_text_data(walker, layout, dataset);
         require_end_mark(walker);
         datasets.push_back(std::move(dataset));
     }
-    if (datasets.empty()) throw ReadError(file, 0, any ? "the file holds no dataset 58" : "the file is empty", uff_wanted);
+    if (datasets.empty())
+        throw ReadError(file, 0, any ? "the file holds no dataset 58" : "the file is empty", uff_wanted);
     return datasets;
-}
-
-std::vector<std::string> uff_record_names(const UffDataset& dataset, std::size_t number) {
-    return {std::to_string(number), dataset.id[0], fmt::format("{}:{:+d}", dataset.response_node, dataset.response_direction)};
-}
-
-DataTable uff_time_table(const std::string& file, const std::vector<std::string>& wanted, const ReadLimits& limits) {
-    const std::vector<UffDataset> datasets = read_uff(file, limits);
-    DataTable table;
-    const auto take = [&](const UffDataset& dataset, const std::string& name) {
-        if (dataset.complex || !dataset.abscissa.empty() || dataset.size() < 2) throw ReadError(file, 0, fmt::format("the record '{}' is not a time response on an even axis", name), "real values in even steps of time");
-        const double rate = 1.0 / dataset.abscissa_step;
-        if (!table.columns.empty() && (dataset.size() != table.rows() || std::abs(rate / table.sampling_rate_hz - 1.0) > 1e-6))
-            throw ReadError(file, 0, fmt::format("the record '{}' differs from the others in length or sampling rate", name), "records sampled together");
-        table.sampling_rate_hz = rate;
-        table.names.push_back(name);
-        table.columns.push_back(dataset.real);
-    };
-    if (wanted.empty()) {
-        for (std::size_t i = 0; i < datasets.size(); ++i)
-            if (!datasets[i].complex && datasets[i].abscissa.empty() && datasets[i].function_type <= 1) take(datasets[i], std::to_string(i + 1));
-        return table;
-    }
-    for (const std::string& name : wanted) {
-        std::vector<std::string> names;
-        for (std::size_t i = 0; i < datasets.size(); ++i)
-            for (std::string& known : uff_record_names(datasets[i], i + 1)) names.push_back(std::move(known));
-        take(datasets[require_name(name, names, "record", file, 0) / 3], name);
-    }
-    return table;
 }
 
 }  // namespace railpem::recordings

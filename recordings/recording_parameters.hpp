@@ -20,8 +20,8 @@ struct ChannelDescription {
     std::string name;
     std::string column;  ///< CSV column, MAT variable, UFF record, WAV channel, HDF5 dataset; empty: the name
     ChannelQuantity quantity = ChannelQuantity::acceleration;
-    std::string unit;            ///< empty: the SI unit of the quantity
-    double scale_factor = 1.0;   ///< number in the file × scale_factor = value in `unit`
+    std::string unit;           ///< empty: the SI unit of the quantity
+    double scale_factor = 1.0;  ///< number in the file × scale_factor = value in `unit`
     Scale scale = Scale::known;
     Location location = Location::none;
     int index = 0;  ///< wheel 1…4, bogie 1…2, rail: under wheel n; 0 for the body
@@ -37,9 +37,9 @@ struct RecordingDescription {
     double speed_m_per_s = 0.0;     ///< 0: not stated
     double speed_standard_error_m_per_s = 0.0;
     double payload_kg = 0.0;
-    std::string irregularity;  ///< file with a measured PSD or profile; empty: none
-    std::string time_column;   ///< empty: a column named time_s, time or t when there is one
-    int averages = 0;          ///< psd: independent averages behind every value; 0: not stated
+    std::string irregularity;       ///< file with a measured PSD or profile; empty: none
+    std::string time_column;        ///< empty: a column named time_s, time or t when there is one
+    int averages = 0;               ///< psd: independent averages behind every value; 0: not stated
     Place place = Place::over_pad;  ///< receptance
     std::vector<ChannelDescription> channels;
 };

@@ -85,7 +85,8 @@ void solve_shifted(const Tridiagonal& matrix, double shift, std::vector<double>&
 }
 
 void scale_to_unit_energy(std::vector<double>& x) {
-    const double largest = std::abs(*std::max_element(x.begin(), x.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }));
+    const double largest =
+        std::abs(*std::max_element(x.begin(), x.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }));
     for (double& value : x) value /= largest;
     const double norm = std::sqrt(std::inner_product(x.begin(), x.end(), x.begin(), 0.0));
     for (double& value : x) value /= norm;
@@ -108,7 +109,8 @@ std::vector<std::vector<double>> slepian_tapers(std::size_t length, double half_
         const double value = eigenvalue(matrix, rank);
         std::vector<double> x(length);
         // Neither even nor odd, so that the start has a share of every eigenvector.
-        for (std::size_t i = 0; i < length; ++i) x[i] = 1.0 + 0.3 * std::sin(1.7 * static_cast<double>(i) + 0.3 * static_cast<double>(rank));
+        for (std::size_t i = 0; i < length; ++i)
+            x[i] = 1.0 + 0.3 * std::sin(1.7 * static_cast<double>(i) + 0.3 * static_cast<double>(rank));
         for (int iteration = 0; iteration < 3; ++iteration) {
             solve_shifted(matrix, value, x);
             scale_to_unit_energy(x);
@@ -116,7 +118,8 @@ std::vector<std::vector<double>> slepian_tapers(std::size_t length, double half_
             scale_to_unit_energy(x);
         }
         double sign = 0.0;
-        for (std::size_t i = 0; i < length; ++i) sign += rank % 2 == 0 ? x[i] : (0.5 * static_cast<double>(length) - static_cast<double>(i)) * x[i];
+        for (std::size_t i = 0; i < length; ++i)
+            sign += rank % 2 == 0 ? x[i] : (0.5 * static_cast<double>(length) - static_cast<double>(i)) * x[i];
         if (sign < 0.0)
             for (double& v : x) v = -v;
         tapers.push_back(std::move(x));

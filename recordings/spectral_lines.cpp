@@ -34,14 +34,17 @@ struct LineSums {
 };
 
 bool complete(const std::vector<double>& samples, std::size_t begin, std::size_t length) {
-    return std::all_of(samples.begin() + static_cast<std::ptrdiff_t>(begin), samples.begin() + static_cast<std::ptrdiff_t>(begin + length), [](double x) { return std::isfinite(x); });
+    return std::all_of(samples.begin() + static_cast<std::ptrdiff_t>(begin),
+                       samples.begin() + static_cast<std::ptrdiff_t>(begin + length),
+                       [](double x) { return std::isfinite(x); });
 }
 
 /// Tapers of the length last asked for: all channels of a record use the same.
 const std::vector<std::vector<double>>& remembered_tapers(std::size_t length, const LineOptions& options) {
     thread_local std::vector<std::vector<double>> tapers;
     thread_local double half_bandwidth = 0.0;
-    if (tapers.size() != static_cast<std::size_t>(options.tapers) || tapers[0].size() != length || half_bandwidth != options.half_bandwidth) {
+    if (tapers.size() != static_cast<std::size_t>(options.tapers) || tapers[0].size() != length ||
+        half_bandwidth != options.half_bandwidth) {
         tapers = slepian_tapers(length, options.half_bandwidth, static_cast<std::size_t>(options.tapers));
         half_bandwidth = options.half_bandwidth;
     }
@@ -61,7 +64,8 @@ LineSums line_sums(const std::vector<double>& all, double rate, const LineOption
     sums.line.assign(bins, 0.0);
     sums.residual.assign(bins, 0.0);
     std::vector<double> h(sums.tapers);
-    for (std::size_t k = 0; k < sums.tapers; ++k) h[k] = k % 2 == 0 ? std::accumulate(tapers[k].begin(), tapers[k].end(), 0.0) : 0.0;
+    for (std::size_t k = 0; k < sums.tapers; ++k)
+        h[k] = k % 2 == 0 ? std::accumulate(tapers[k].begin(), tapers[k].end(), 0.0) : 0.0;
     sums.energy = std::inner_product(h.begin(), h.end(), h.begin(), 0.0);
     std::vector<double> work(transform.length());
     std::vector<std::vector<Complex>> y(sums.tapers, std::vector<Complex>(bins));
@@ -84,8 +88,8 @@ LineSums line_sums(const std::vector<double>& all, double rate, const LineOption
     return sums;
 }
 
-/// E|y|² of the broadband part beside a line: the median between 1.25 and 2.5 half-bandwidths away on both sides, where the
-/// tapers keep the line out. At the line itself what is left of it would count as noise.
+/// E|y|² of the broadband part beside a line: the median between 1.25 and 2.5 half-bandwidths away on both sides, where
+/// the tapers keep the line out. At the line itself what is left of it would count as noise.
 double broadband_beside(const LineSums& sums, std::size_t peak, const LineOptions& options) {
     const double half = options.half_bandwidth / options.section_s / sums.bin_hz;
     std::vector<double> values;
@@ -104,7 +108,8 @@ SpectralLine line_from(const LineSums& sums, std::size_t peak, double rate, cons
     // Parabola through the logarithms around the peak: the tapers' main lobe is nearly Gaussian there.
     double shift = 0.0, height = sums.line[peak];
     if (peak > 0 && peak + 1 < sums.line.size()) {
-        const double a = std::log(sums.line[peak - 1]), b = std::log(sums.line[peak]), c = std::log(sums.line[peak + 1]);
+        const double a = std::log(sums.line[peak - 1]), b = std::log(sums.line[peak]),
+                     c = std::log(sums.line[peak + 1]);
         const double curvature = a - 2.0 * b + c;
         if (curvature < 0.0 && b >= a && b >= c) {
             shift = std::clamp(0.5 * (a - c) / curvature, -0.5, 0.5);
@@ -119,13 +124,15 @@ SpectralLine line_from(const LineSums& sums, std::size_t peak, double rate, cons
     line.mean_square = std::max(0.0, 2.0 * (height / s - noise / sums.energy));
     const double ratio = line.mean_square > 0.0 ? line.mean_square / (line.background / section_s) : 0.0;
     // Cramér–Rao bound for a sinusoid in white noise, one section: √6/(2π T √(2·ratio/2)).
-    line.frequency_error_hz = ratio > 0.0 ? std::sqrt(6.0 / (ratio * s)) / (2.0 * std::numbers::pi * section_s) : sums.bin_hz;
+    line.frequency_error_hz =
+        ratio > 0.0 ? std::sqrt(6.0 / (ratio * s)) / (2.0 * std::numbers::pi * section_s) : sums.bin_hz;
     return line;
 }
 
 }  // namespace
 
-std::vector<SpectralLine> find_lines(const std::vector<double>& samples, double sampling_rate_hz, const LineOptions& options) {
+std::vector<SpectralLine> find_lines(const std::vector<double>& samples, double sampling_rate_hz,
+                                     const LineOptions& options) {
     const LineSums sums = line_sums(samples, sampling_rate_hz, options);
     std::vector<SpectralLine> lines;
     if (sums.sections == 0) return lines;
@@ -154,7 +161,8 @@ std::vector<SpectralLine> find_lines(const std::vector<double>& samples, double 
     return lines;
 }
 
-SpectralLine line_at(const std::vector<double>& samples, double sampling_rate_hz, double frequency_hz, const LineOptions& options) {
+SpectralLine line_at(const std::vector<double>& samples, double sampling_rate_hz, double frequency_hz,
+                     const LineOptions& options) {
     const LineSums sums = line_sums(samples, sampling_rate_hz, options);
     if (sums.sections == 0 || frequency_hz >= 0.5 * sampling_rate_hz) return {};
     const auto bin = static_cast<std::size_t>(std::lround(frequency_hz / sums.bin_hz));
@@ -163,7 +171,8 @@ SpectralLine line_at(const std::vector<double>& samples, double sampling_rate_hz
     return line;
 }
 
-std::vector<double> without_lines(const std::vector<double>& samples, double sampling_rate_hz, const std::vector<SpectralLine>& lines, double section_s) {
+std::vector<double> without_lines(const std::vector<double>& samples, double sampling_rate_hz,
+                                  const std::vector<SpectralLine>& lines, double section_s) {
     std::vector<double> result(samples);
     const auto length = static_cast<std::size_t>(section_s * sampling_rate_hz);
     if (lines.empty() || length < 16 || samples.size() < length) return result;
@@ -171,9 +180,11 @@ std::vector<double> without_lines(const std::vector<double>& samples, double sam
     const std::size_t hop = length / 2;
     // Hann sections half overlapped add up to one: every sample gets a smooth mixture of two fits.
     const std::vector<double> weight = window_samples(Window::hann, length);
-    for (std::ptrdiff_t start = -static_cast<std::ptrdiff_t>(hop); start < static_cast<std::ptrdiff_t>(samples.size()); start += static_cast<std::ptrdiff_t>(hop)) {
+    for (std::ptrdiff_t start = -static_cast<std::ptrdiff_t>(hop); start < static_cast<std::ptrdiff_t>(samples.size());
+         start += static_cast<std::ptrdiff_t>(hop)) {
         // Near the ends the fit is made on the last whole section inside the record.
-        const auto begin = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(start, 0, static_cast<std::ptrdiff_t>(samples.size() - length)));
+        const auto begin = static_cast<std::size_t>(
+            std::clamp<std::ptrdiff_t>(start, 0, static_cast<std::ptrdiff_t>(samples.size() - length)));
         if (!complete(samples, begin, length)) continue;
         Eigen::MatrixXd basis(static_cast<Eigen::Index>(length), columns);
         Eigen::VectorXd values(static_cast<Eigen::Index>(length)), taper(static_cast<Eigen::Index>(length));
@@ -182,13 +193,15 @@ std::vector<double> without_lines(const std::vector<double>& samples, double sam
             values[row] = samples[begin + n];
             taper[row] = std::sqrt(weight[n]);
             for (std::size_t l = 0; l < lines.size(); ++l) {
-                const double angle = 2.0 * std::numbers::pi * lines[l].frequency_hz * static_cast<double>(n) / sampling_rate_hz;
+                const double angle =
+                    2.0 * std::numbers::pi * lines[l].frequency_hz * static_cast<double>(n) / sampling_rate_hz;
                 basis(row, static_cast<Eigen::Index>(2 * l)) = std::cos(angle);
                 basis(row, static_cast<Eigen::Index>(2 * l + 1)) = std::sin(angle);
             }
         }
         const Eigen::MatrixXd weighted = taper.asDiagonal() * basis;
-        const Eigen::VectorXd coefficients = (weighted.transpose() * weighted).ldlt().solve(weighted.transpose() * taper.cwiseProduct(values));
+        const Eigen::VectorXd coefficients =
+            (weighted.transpose() * weighted).ldlt().solve(weighted.transpose() * taper.cwiseProduct(values));
         const Eigen::VectorXd fitted = basis * coefficients;
         for (std::size_t n = 0; n < length; ++n) {
             const std::ptrdiff_t in_section = static_cast<std::ptrdiff_t>(begin + n) - start;

@@ -23,7 +23,8 @@ Spectrogram spectrogram(const Channel& channel, double rate) {
     Spectrogram result;
     result.channel = channel.description.name;
     const std::vector<double> samples = without_trend(channel.samples);
-    const std::size_t length = std::min(fast_length(static_cast<std::size_t>(rate)), samples.size() - samples.size() % 2);
+    const std::size_t length =
+        std::min(fast_length(static_cast<std::size_t>(rate)), samples.size() - samples.size() % 2);
     if (length < 32) return result;
     const std::size_t hop = std::max<std::size_t>(length / 4, (samples.size() - length) / most_times + 1);
     const FourierTransform transform(length);
@@ -42,8 +43,10 @@ Spectrogram spectrogram(const Channel& channel, double rate) {
         transform.forward(segment.data(), spectrum.data());
         for (std::size_t b = 0; b < result.bins; ++b) {
             double sum = 0.0;
-            for (std::size_t k = 0; k < joined; ++k) sum += 2.0 * std::norm(spectrum[b * joined + k]) / (rate * energy * static_cast<double>(joined));
-            result.level_db.push_back(std::isfinite(sum) ? static_cast<float>(10.0 * std::log10(std::max(sum, 1e-30))) : std::numeric_limits<float>::quiet_NaN());
+            for (std::size_t k = 0; k < joined; ++k)
+                sum += 2.0 * std::norm(spectrum[b * joined + k]) / (rate * energy * static_cast<double>(joined));
+            result.level_db.push_back(std::isfinite(sum) ? static_cast<float>(10.0 * std::log10(std::max(sum, 1e-30)))
+                                                         : std::numeric_limits<float>::quiet_NaN());
         }
     }
     return result;

@@ -5,7 +5,11 @@ namespace railpem::recordings {
 bool is_utf8(std::string_view text) {
     for (std::size_t i = 0; i < text.size();) {
         const auto lead = static_cast<unsigned char>(text[i]);
-        const std::size_t length = lead < 0x80 ? 1 : (lead >= 0xC2 && lead <= 0xDF) ? 2 : (lead & 0xF0) == 0xE0 ? 3 : (lead >= 0xF0 && lead <= 0xF4) ? 4 : 0;
+        const std::size_t length = lead < 0x80                      ? 1
+                                   : (lead >= 0xC2 && lead <= 0xDF) ? 2
+                                   : (lead & 0xF0) == 0xE0          ? 3
+                                   : (lead >= 0xF0 && lead <= 0xF4) ? 4
+                                                                    : 0;
         if (length == 0 || i + length > text.size()) return false;
         for (std::size_t j = 1; j < length; ++j)
             if ((static_cast<unsigned char>(text[i + j]) & 0xC0) != 0x80) return false;

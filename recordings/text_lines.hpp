@@ -18,12 +18,12 @@ class TextLines {
     ~TextLines();
     TextLines(TextLines&&) noexcept;
 
-    /// The next line without its end (LF or CR LF), or false at the end of the file. The view is valid until the next call.
-    /// Throws ReadError for a damaged compressed file, a line longer than the limit, or a zero byte.
+    /// The next line without its end (LF or CR LF), or false at the end of the file. The view is valid until the next
+    /// call. Throws ReadError for a damaged compressed file, a line longer than the limit, or a zero byte.
     bool next(std::string_view& line);
 
     std::size_t line_number() const { return line_number_; }  ///< of the line last returned, from 1
-    bool last_line_was_cut() const { return cut_; }           ///< the line last returned had no line end: the file stops there
+    bool last_line_was_cut() const { return cut_; }  ///< the line last returned had no line end: the file stops there
     const std::string& file() const { return file_; }
 
   private:

@@ -11,8 +11,9 @@ namespace railpem::recordings {
 /// Standard gravity, m/s² (CGPM 1901): what one g is.
 inline constexpr double standard_gravity_m_per_s2 = 9.80665;
 
-/// Factor from `unit` to the SI unit of the quantity (m/s², m/s, m). Empty unit: 1. Accepts ^2, ² and 2, and both signs for
-/// micro. Throws parameters::ParameterError with `key`, listing what is allowed, for a unit that is not one of the quantity.
+/// Factor from `unit` to the SI unit of the quantity (m/s², m/s, m). Empty unit: 1. Accepts ^2, ² and 2, and both signs
+/// for micro. Throws parameters::ParameterError with `key`, listing what is allowed, for a unit that is not one of the
+/// quantity.
 double to_si_factor(std::string_view unit, ChannelQuantity quantity, const std::string& key);
 
 /// Units that to_si_factor accepts for the quantity.
@@ -24,7 +25,8 @@ std::string si_unit(ChannelQuantity quantity);
 /// Name as in the description: "acceleration", …
 std::string quantity_name(ChannelQuantity quantity);
 
-/// How often the quantity must be differentiated in time to be an acceleration: 0, 1 or 2. Asserts a vibration quantity.
+/// How often the quantity must be differentiated in time to be an acceleration: 0, 1 or 2. Asserts a vibration
+/// quantity.
 int derivatives_to_acceleration(ChannelQuantity quantity);
 
 /// True for acceleration, velocity and displacement: a vibration, not a state of the train.

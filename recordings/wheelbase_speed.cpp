@@ -9,17 +9,21 @@ namespace railpem::recordings {
 namespace {
 
 std::optional<double> place_of(const ChannelDescription& channel, const VehicleGeometry& geometry) {
-    if (channel.location == Location::wheel && channel.index >= 1 && channel.index <= 4) return geometry.wheels_m[static_cast<std::size_t>(channel.index - 1)];
-    if (channel.location == Location::bogie && channel.index >= 1 && channel.index <= 2) return geometry.bogies_m[static_cast<std::size_t>(channel.index - 1)];
+    if (channel.location == Location::wheel && channel.index >= 1 && channel.index <= 4)
+        return geometry.wheels_m[static_cast<std::size_t>(channel.index - 1)];
+    if (channel.location == Location::bogie && channel.index >= 1 && channel.index <= 2)
+        return geometry.bogies_m[static_cast<std::size_t>(channel.index - 1)];
     return std::nullopt;
 }
 
 bool comparable(const ChannelDescription& a, const ChannelDescription& b) {
-    return a.location == b.location && a.quantity == b.quantity && a.index != b.index && (a.side == b.side || a.side == Side::unstated || b.side == Side::unstated);
+    return a.location == b.location && a.quantity == b.quantity && a.index != b.index &&
+           (a.side == b.side || a.side == Side::unstated || b.side == Side::unstated);
 }
 
 double relative_error(const PairDelay& pair) {
-    // Below a hundredth of a percent the ripple of the phase, not the noise, decides: no pair is believed better than that.
+    // Below a hundredth of a percent the ripple of the phase, not the noise, decides: no pair is believed better than
+    // that.
     return std::max(pair.delay.standard_error_s / std::abs(pair.delay.seconds), 1e-4);
 }
 
@@ -31,7 +35,8 @@ Mean weighted_mean(const std::vector<PairDelay>& pairs, const std::vector<bool>&
     double sum = 0.0, weights = 0.0, chi = 0.0;
     for (std::size_t i = 0; i < pairs.size(); ++i)
         if (used[i]) {
-            const double slowness = pairs[i].delay.seconds / pairs[i].distance_m, weight = std::pow(slowness * relative_error(pairs[i]), -2);
+            const double slowness = pairs[i].delay.seconds / pairs[i].distance_m,
+                         weight = std::pow(slowness * relative_error(pairs[i]), -2);
             sum += weight * slowness;
             weights += weight;
         }
@@ -45,13 +50,15 @@ Mean weighted_mean(const std::vector<PairDelay>& pairs, const std::vector<bool>&
 
 }  // namespace
 
-std::optional<double> distance_between(const ChannelDescription& first, const ChannelDescription& second, const VehicleGeometry& geometry) {
+std::optional<double> distance_between(const ChannelDescription& first, const ChannelDescription& second,
+                                       const VehicleGeometry& geometry) {
     const auto a = place_of(first, geometry), b = place_of(second, geometry);
     if (!a || !b) return std::nullopt;
     return *a - *b;
 }
 
-std::vector<PairDelay> wheelbase_delays(const TimeSeries& series, const VehicleGeometry& geometry, const SpeedRange& range) {
+std::vector<PairDelay> wheelbase_delays(const TimeSeries& series, const VehicleGeometry& geometry,
+                                        const SpeedRange& range) {
     std::vector<PairDelay> pairs;
     std::vector<std::vector<double>> samples;
     for (const Channel& channel : series.channels) {
@@ -59,20 +66,25 @@ std::vector<PairDelay> wheelbase_delays(const TimeSeries& series, const VehicleG
         for (double& value : samples.back())
             if (!std::isfinite(value)) value = 0.0;  // here a gap only lowers the correlation
     }
-    // Every pair is looked at over the delays of the longest one, on both sides of zero: channels that were swapped lag by
-    // another time, or the wrong way.
+    // Every pair is looked at over the delays of the longest one, on both sides of zero: channels that were swapped lag
+    // by another time, or the wrong way.
     double farthest = 0.0;
     for (const Channel& a : series.channels)
         for (const Channel& b : series.channels)
-            if (const auto distance = distance_between(a.description, b.description, geometry); distance && comparable(a.description, b.description)) farthest = std::max(farthest, *distance);
+            if (const auto distance = distance_between(a.description, b.description, geometry);
+                distance && comparable(a.description, b.description))
+                farthest = std::max(farthest, *distance);
     const double longest = farthest / range.least_m_per_s;
     for (std::size_t i = 0; i < samples.size(); ++i)
         for (std::size_t j = 0; j < samples.size(); ++j) {
             const ChannelDescription &a = series.channels[i].description, &b = series.channels[j].description;
             const auto distance = distance_between(a, b, geometry);
             if (!distance || *distance <= 0.0 || !comparable(a, b)) continue;
-            PairDelay pair{i, j, *distance, estimate_delay(samples[i], samples[j], series.sampling_rate_hz, {.least_s = -longest, .most_s = longest})};
-            if (pair.delay.found && std::abs(pair.delay.seconds) >= 0.5 / series.sampling_rate_hz) pairs.push_back(pair);
+            PairDelay pair{i, j, *distance,
+                           estimate_delay(samples[i], samples[j], series.sampling_rate_hz,
+                                          {.least_s = -longest, .most_s = longest})};
+            if (pair.delay.found && std::abs(pair.delay.seconds) >= 0.5 / series.sampling_rate_hz)
+                pairs.push_back(pair);
         }
     return pairs;
 }
@@ -101,7 +113,8 @@ std::optional<WheelbaseSpeed> wheelbase_speed(std::vector<PairDelay> pairs) {
         --count;
         mean = weighted_mean(pairs, used);
     }
-    const double inflation = count > 1 ? std::sqrt(std::max(1.0, mean.chi_squared / static_cast<double>(count - 1))) : 1.0;
+    const double inflation =
+        count > 1 ? std::sqrt(std::max(1.0, mean.chi_squared / static_cast<double>(count - 1))) : 1.0;
     WheelbaseSpeed result;
     result.speed_m_per_s = 1.0 / mean.slowness;
     result.standard_error_m_per_s = inflation * mean.error / (mean.slowness * mean.slowness);

@@ -10,7 +10,8 @@
 
 namespace railpem::recordings {
 
-/// Where the wheels and bogies of the believed vehicle stand: m from the centre of the body, positive towards the front.
+/// Where the wheels and bogies of the believed vehicle stand: m from the centre of the body, positive towards the
+/// front.
 struct VehicleGeometry {
     std::array<double, 4> wheels_m{};
     std::array<double, 2> bogies_m{};
@@ -37,15 +38,17 @@ struct SpeedRange {
 };
 
 /// Distance between the places of two channels, first minus second; nothing when either has no place along the track.
-std::optional<double> distance_between(const ChannelDescription& first, const ChannelDescription& second, const VehicleGeometry& geometry);
+std::optional<double> distance_between(const ChannelDescription& first, const ChannelDescription& second,
+                                       const VehicleGeometry& geometry);
 
-/// Delays of all pairs of axle boxes and of bogies (same side where sides are stated). With a nearly known speed the search is
-/// narrow: pass its range.
-std::vector<PairDelay> wheelbase_delays(const TimeSeries& series, const VehicleGeometry& geometry, const SpeedRange& range);
+/// Delays of all pairs of axle boxes and of bogies (same side where sides are stated). With a nearly known speed the
+/// search is narrow: pass its range.
+std::vector<PairDelay> wheelbase_delays(const TimeSeries& series, const VehicleGeometry& geometry,
+                                        const SpeedRange& range);
 
-/// Slowness 1/v as the weighted mean of delay/distance over the pairs; the error is enlarged by √(χ²/n) when they disagree.
-/// A single pair that disagrees with all others by more than five standard errors (a skewed channel) is left out with its
-/// partner's other pairs kept. Nothing when no pair was found.
+/// Slowness 1/v as the weighted mean of delay/distance over the pairs; the error is enlarged by √(χ²/n) when they
+/// disagree. A single pair that disagrees with all others by more than five standard errors (a skewed channel) is left
+/// out with its partner's other pairs kept. Nothing when no pair was found.
 std::optional<WheelbaseSpeed> wheelbase_speed(std::vector<PairDelay> pairs);
 
 }  // namespace railpem::recordings

@@ -59,9 +59,11 @@ DataTable to_table(const TimeSeries& series) {
     table.sampling_rate_hz = series.sampling_rate_hz;
     table.names.emplace_back("time_s");
     table.columns.emplace_back();
-    for (std::size_t i = 0; i < series.size(); ++i) table.columns[0].push_back(series.start_s + static_cast<double>(i) / series.sampling_rate_hz);
+    for (std::size_t i = 0; i < series.size(); ++i)
+        table.columns[0].push_back(series.start_s + static_cast<double>(i) / series.sampling_rate_hz);
     for (const Channel& channel : series.channels) {
-        table.names.push_back(channel.description.column.empty() ? channel.description.name : channel.description.column);
+        table.names.push_back(channel.description.column.empty() ? channel.description.name
+                                                                 : channel.description.column);
         table.columns.push_back(channel.samples);
     }
     return table;

@@ -17,22 +17,32 @@ void append_little_endian(std::string& out, double value) {
 }
 
 /// "E" format of Fortran with a mantissa of one digit before the point, as every reader takes it.
-std::string number(double value, int width, int digits) { return fmt::format("{:>{}.{}E}", value, width, digits); }
+std::string number(double value, int width, int digits) {
+    return fmt::format("{:>{}.{}E}", value, width, digits);
+}
 
-std::string axis(int kind, const std::string& unit) { return fmt::format("{:10d}{:5d}{:5d}{:5d} {:<20.20} {:<20.20}\n", kind, 0, 0, 0, "NONE", unit.empty() ? "NONE" : unit); }
+std::string axis(int kind, const std::string& unit) {
+    return fmt::format("{:10d}{:5d}{:5d}{:5d} {:<20.20} {:<20.20}\n", kind, 0, 0, 0, "NONE",
+                       unit.empty() ? "NONE" : unit);
+}
 
 std::string records(const UffDataset& dataset) {
     std::string out;
     for (const std::string& id : dataset.id) out += fmt::format("{:<80.80}\n", id.empty() ? "NONE" : id);
-    out += fmt::format("{:5d}{:10d}{:5d}{:10d} {:<10.10}{:10d}{:4d} {:<10.10}{:10d}{:4d}\n", dataset.function_type, 0, 0, 0, dataset.response_entity.empty() ? "NONE" : dataset.response_entity,
-                       dataset.response_node, dataset.response_direction, dataset.reference_entity.empty() ? "NONE" : dataset.reference_entity, dataset.reference_node, dataset.reference_direction);
-    out += fmt::format("{:10d}{:10d}{:10d}{}{}{}\n", dataset.complex ? 6 : 4, dataset.size(), dataset.abscissa.empty() ? 1 : 0, number(dataset.abscissa_start, 13, 5),
+    out += fmt::format("{:5d}{:10d}{:5d}{:10d} {:<10.10}{:10d}{:4d} {:<10.10}{:10d}{:4d}\n", dataset.function_type, 0,
+                       0, 0, dataset.response_entity.empty() ? "NONE" : dataset.response_entity, dataset.response_node,
+                       dataset.response_direction, dataset.reference_entity.empty() ? "NONE" : dataset.reference_entity,
+                       dataset.reference_node, dataset.reference_direction);
+    out += fmt::format("{:10d}{:10d}{:10d}{}{}{}\n", dataset.complex ? 6 : 4, dataset.size(),
+                       dataset.abscissa.empty() ? 1 : 0, number(dataset.abscissa_start, 13, 5),
                        number(dataset.abscissa_step, 13, 5), number(0.0, 13, 5));
-    out += axis(dataset.abscissa_kind, dataset.abscissa_unit) + axis(dataset.ordinate_kind, dataset.ordinate_unit) + axis(dataset.denominator_kind, dataset.denominator_unit);
+    out += axis(dataset.abscissa_kind, dataset.abscissa_unit) + axis(dataset.ordinate_kind, dataset.ordinate_unit) +
+           axis(dataset.denominator_kind, dataset.denominator_unit);
     return out + axis(0, "");
 }
 
-/// Ordinates in the columns of the format: E20.12, four to a line (complex: two pairs; uneven: E13.5 before each ordinate).
+/// Ordinates in the columns of the format: E20.12, four to a line (complex: two pairs; uneven: E13.5 before each
+/// ordinate).
 std::string text_data(const UffDataset& dataset) {
     std::string out;
     const bool even = dataset.abscissa.empty();
@@ -67,7 +77,9 @@ void write_uff(const std::string& file, const std::vector<UffDataset>& datasets,
         assert(!dataset.complex || dataset.imaginary.size() == dataset.real.size());
         assert(dataset.abscissa.empty() || dataset.abscissa.size() == dataset.real.size());
         const std::string data = binary ? binary_data(dataset) : text_data(dataset);
-        const std::string kind = binary ? fmt::format("{:6d}b{:6d}{:6d}{:12d}{:12d}{:6d}{:6d}{:12d}{:12d}", 58, 1, 2, 11, data.size(), 0, 0, 0, 0) : fmt::format("{:6d}", 58);
+        const std::string kind = binary ? fmt::format("{:6d}b{:6d}{:6d}{:12d}{:12d}{:6d}{:6d}{:12d}{:12d}", 58, 1, 2,
+                                                      11, data.size(), 0, 0, 0, 0)
+                                        : fmt::format("{:6d}", 58);
         out << "    -1\n" << kind << '\n' << records(dataset) << data << (binary ? "\n" : "") << "    -1\n";
     }
     if (!out.flush()) throw ReadError(file, 0, "cannot be written", "a place where a file can be written");

@@ -14,8 +14,8 @@ namespace {
 
 constexpr std::size_t order = 32;
 
-/// Coefficients a of x_n ≈ Σ a_k x_{n−k}, by the autocorrelation method (Levinson–Durbin). A billionth of the power is added to
-/// the zero lag, so that a band-limited channel does not make the equations singular.
+/// Coefficients a of x_n ≈ Σ a_k x_{n−k}, by the autocorrelation method (Levinson–Durbin). A billionth of the power is
+/// added to the zero lag, so that a band-limited channel does not make the equations singular.
 std::vector<double> autoregression(const std::vector<double>& x) {
     std::vector<double> r(order + 1, 0.0);
     for (std::size_t lag = 0; lag <= order; ++lag)
@@ -63,8 +63,8 @@ void check_impacts(const Evidence& evidence, std::vector<Fault>& faults) {
         const auto& x = evidence.detrended[i];
         if (x.size() < 1000) continue;
         const std::vector<double> e = prediction_errors(x, autoregression(x));
-        // Scatter from the median over about two seconds (2000 values at least): level changes along the record are not impacts. The
-        // scale is then known within 3 %; a tenth is added to the threshold for it.
+        // Scatter from the median over about two seconds (2000 values at least): level changes along the record are not
+        // impacts. The scale is then known within 3 %; a tenth is added to the threshold for it.
         const std::size_t part = std::max<std::size_t>(2000, static_cast<std::size_t>(2.0 * rate));
         const double threshold = 1.1 * normal_quantile_exceeded(1e-6 / (2.0 * static_cast<double>(x.size())));
         std::size_t count = 0, last = 0, worst_at = 0;
@@ -72,14 +72,16 @@ void check_impacts(const Evidence& evidence, std::vector<Fault>& faults) {
         bool any = false;
         for (std::size_t begin = order; begin < x.size(); begin += part) {
             const std::size_t end = std::min(x.size(), begin + part);
-            const double scale = median_magnitude(e, end - begin < part / 2 && begin > part ? begin - part : begin, end) / 0.6745;
+            const double scale =
+                median_magnitude(e, end - begin < part / 2 && begin > part ? begin - part : begin, end) / 0.6745;
             if (scale <= 0.0) continue;
             for (std::size_t n = begin; n < end; ++n) {
                 const double z = std::abs(e[n]) / scale;
                 if (z < threshold) continue;
                 // Beside a gap the prediction starts from nothing.
                 bool beside_gap = false;
-                for (std::size_t k = 0; k <= order && k <= n; ++k) beside_gap = beside_gap || !std::isfinite(evidence.series().channels[i].samples[n - k]);
+                for (std::size_t k = 0; k <= order && k <= n; ++k)
+                    beside_gap = beside_gap || !std::isfinite(evidence.series().channels[i].samples[n - k]);
                 if (beside_gap) continue;
                 if (!any || static_cast<double>(n - last) > 0.05 * rate) ++count;
                 any = true;
@@ -95,8 +97,10 @@ void check_impacts(const Evidence& evidence, std::vector<Fault>& faults) {
         found.kind = FaultKind::impacts;
         found.severity = Severity::note;
         found.channels = {evidence.name(i)};
-        found.says = fmt::format("{} impact{}, {:.1f} per minute, the strongest {:.0f} times the usual scatter at {:.3f} s", count, count > 1 ? "s" : "", 60.0 * static_cast<double>(count) / evidence.series().duration_s(), worst,
-                                 static_cast<double>(worst_at) / rate);
+        found.says =
+            fmt::format("{} impact{}, {:.1f} per minute, the strongest {:.0f} times the usual scatter at {:.3f} s",
+                        count, count > 1 ? "s" : "", 60.0 * static_cast<double>(count) / evidence.series().duration_s(),
+                        worst, static_cast<double>(worst_at) / rate);
         found.from_s = static_cast<double>(worst_at) / rate;
         found.to_s = found.from_s;
         found.value = static_cast<double>(count);

@@ -16,7 +16,7 @@ constexpr std::size_t parts = 16;
 constexpr double false_alarm = 1e-5;  ///< per channel and test
 
 struct Line {
-    double mean = 0.0, slope = 0.0;         ///< slope per part
+    double mean = 0.0, slope = 0.0;  ///< slope per part
     double mean_error = 0.0, slope_error = 0.0;
     double p_mean = 1.0, p_slope = 1.0;
 };
@@ -44,12 +44,14 @@ bool fit_line(const std::vector<double>& samples, Line& line) {
     }
     line.slope = xy / xx;
     double residual = 0.0;
-    for (std::size_t p = 0; p < parts; ++p) residual += std::pow(means[p] - line.mean - line.slope * (static_cast<double>(p) - centre), 2);
+    for (std::size_t p = 0; p < parts; ++p)
+        residual += std::pow(means[p] - line.mean - line.slope * (static_cast<double>(p) - centre), 2);
     const double variance = residual / (n - 2.0);
     line.mean_error = std::sqrt(variance / n);
     line.slope_error = std::sqrt(variance / xx);
     line.p_mean = line.mean_error > 0.0 ? 2.0 * student_exceeded(std::abs(line.mean) / line.mean_error, n - 2.0) : 0.0;
-    line.p_slope = line.slope_error > 0.0 ? 2.0 * student_exceeded(std::abs(line.slope) / line.slope_error, n - 2.0) : 0.0;
+    line.p_slope =
+        line.slope_error > 0.0 ? 2.0 * student_exceeded(std::abs(line.slope) / line.slope_error, n - 2.0) : 0.0;
     return true;
 }
 
@@ -59,8 +61,9 @@ double rms_of(const std::vector<double>& samples) {
     return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(1, samples.size())));
 }
 
-/// Slope α of a spectrum like f^(−α) at low frequency: regression of the log-periodogram on log f, whose errors have the
-/// variance π²/6. The record is tapered, so that a trend or the power above does not leak in; only every second bin counts then.
+/// Slope α of a spectrum like f^(−α) at low frequency: regression of the log-periodogram on log f, whose errors have
+/// the variance π²/6. The record is tapered, so that a trend or the power above does not leak in; only every second bin
+/// counts then.
 void check_low_frequency(const Evidence& evidence, std::size_t channel, double rms, std::vector<Fault>& faults) {
     constexpr double highest_hz = 0.8, least_slope = 0.5;
     const auto& samples = evidence.detrended[channel];
@@ -85,7 +88,8 @@ void check_low_frequency(const Evidence& evidence, std::size_t channel, double r
     transform.forward(slow.data(), spectrum.data());
     std::vector<double> x, y;
     for (double f = 3.0 * bin_hz; f <= highest_hz; f += 2.0 * bin_hz) {
-        const auto k = static_cast<std::size_t>(std::lround(f / (rate / static_cast<double>(block)) * static_cast<double>(transform.length())));
+        const auto k = static_cast<std::size_t>(
+            std::lround(f / (rate / static_cast<double>(block)) * static_cast<double>(transform.length())));
         if (k >= spectrum.size() || std::norm(spectrum[k]) <= 0.0) return;
         x.push_back(std::log(f));
         y.push_back(std::log(std::norm(spectrum[k])));
@@ -107,7 +111,10 @@ void check_low_frequency(const Evidence& evidence, std::size_t channel, double r
     Fault found;
     found.kind = FaultKind::low_frequency_noise;
     found.channels = {evidence.name(channel)};
-    found.says = fmt::format("below {:g} Hz the spectrum rises towards zero like f^-{:.2g} (± {:.2g}): noise or drift of the sensor, not vibration", highest_hz, slope, 1.645 * error);
+    found.says = fmt::format(
+        "below {:g} Hz the spectrum rises towards zero like f^-{:.2g} (± {:.2g}): noise or drift of the sensor, not "
+        "vibration",
+        highest_hz, slope, 1.645 * error);
     found.high_hz = highest_hz;
     found.value = slope;
     found.unit = "1";
@@ -130,8 +137,10 @@ void check_offset(const Evidence& evidence, std::vector<Fault>& faults) {
             Fault found;
             found.kind = FaultKind::offset;
             found.channels = {channel.description.name};
-            found.says = fmt::format("offset of {:.4g} {} (± {:.2g}), {:.2g} of the rms; it is left in the samples and taken out of every spectrum", line.mean, unit, 1.645 * line.mean_error,
-                                     std::abs(line.mean) / rms);
+            found.says = fmt::format(
+                "offset of {:.4g} {} (± {:.2g}), {:.2g} of the rms; it is left in the samples and taken out of every "
+                "spectrum",
+                line.mean, unit, 1.645 * line.mean_error, std::abs(line.mean) / rms);
             found.value = line.mean;
             found.unit = unit;
             found.false_alarm = line.p_mean;
@@ -142,7 +151,8 @@ void check_offset(const Evidence& evidence, std::vector<Fault>& faults) {
             Fault found;
             found.kind = FaultKind::drift;
             found.channels = {channel.description.name};
-            found.says = fmt::format("drift of {:.4g} {} over the record, {:.2g} of the rms", drift, unit, std::abs(drift) / rms);
+            found.says = fmt::format("drift of {:.4g} {} over the record, {:.2g} of the rms", drift, unit,
+                                     std::abs(drift) / rms);
             found.value = drift;
             found.unit = unit;
             found.false_alarm = line.p_slope;

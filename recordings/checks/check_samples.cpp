@@ -45,9 +45,11 @@ void check_missing(const Evidence& evidence, std::size_t channel, std::vector<Fa
     }
     if (missing == 0) return;
     const double share = static_cast<double>(missing) / static_cast<double>(x.size());
-    Fault found = fault(evidence, channel, FaultKind::missing_samples, share > 0.01 ? Severity::error : Severity::warning,
-                        fmt::format("{} of {} samples are missing in {} gap{}, the longest of {:.3g} s at {:.3f} s", missing, x.size(), gaps, gaps > 1 ? "s" : "",
-                                    static_cast<double>(longest.length) / rate, static_cast<double>(longest.begin) / rate));
+    Fault found =
+        fault(evidence, channel, FaultKind::missing_samples, share > 0.01 ? Severity::error : Severity::warning,
+              fmt::format("{} of {} samples are missing in {} gap{}, the longest of {:.3g} s at {:.3f} s", missing,
+                          x.size(), gaps, gaps > 1 ? "s" : "", static_cast<double>(longest.length) / rate,
+                          static_cast<double>(longest.begin) / rate));
     found.from_s = static_cast<double>(longest.begin) / rate;
     found.to_s = static_cast<double>(longest.begin + longest.length) / rate;
     found.value = share;
@@ -55,7 +57,8 @@ void check_missing(const Evidence& evidence, std::size_t channel, std::vector<Fa
     faults.push_back(std::move(found));
 }
 
-/// Distinct levels of the sorted values from one end: how many samples sit on the first one and on the next five on average.
+/// Distinct levels of the sorted values from one end: how many samples sit on the first one and on the next five on
+/// average.
 struct EndLevels {
     std::size_t on_first = 0;
     double on_next = 0.0;
@@ -74,15 +77,18 @@ EndLevels end_levels(const std::vector<double>& sorted, bool top) {
         }
         (distinct == 0 ? levels.on_first : others) += 1;
     }
-    levels.on_next = distinct > 0 ? static_cast<double>(others) / static_cast<double>(std::min<std::size_t>(distinct, 5)) : 0.0;
+    levels.on_next =
+        distinct > 0 ? static_cast<double>(others) / static_cast<double>(std::min<std::size_t>(distinct, 5)) : 0.0;
     return levels;
 }
 
-void check_clipping(const Evidence& evidence, std::size_t channel, const std::vector<double>& sorted, std::vector<Fault>& faults) {
+void check_clipping(const Evidence& evidence, std::size_t channel, const std::vector<double>& sorted,
+                    std::vector<Fault>& faults) {
     std::size_t clipped = 0;
     double worst = 1.0;
     for (const bool top : {true, false}) {
-        // The tail of a sound channel thins out towards its end: no more samples on the last level than on those before it.
+        // The tail of a sound channel thins out towards its end: no more samples on the last level than on those before
+        // it.
         const EndLevels levels = end_levels(sorted, top);
         const double p = poisson_at_least(static_cast<double>(levels.on_first), std::max(1.0, levels.on_next));
         if (p > false_alarm) continue;
@@ -93,7 +99,8 @@ void check_clipping(const Evidence& evidence, std::size_t channel, const std::ve
     const double share = static_cast<double>(clipped) / static_cast<double>(sorted.size());
     const std::string unit = si_unit(evidence.series().channels[channel].description.quantity);
     Fault found = fault(evidence, channel, FaultKind::clipping, Severity::error,
-                        fmt::format("clipped: {} samples ({:.3g} %) stand on the end of the range, {:.4g} to {:.4g} {}", clipped, 100.0 * share, sorted.front(), sorted.back(), unit));
+                        fmt::format("clipped: {} samples ({:.3g} %) stand on the end of the range, {:.4g} to {:.4g} {}",
+                                    clipped, 100.0 * share, sorted.front(), sorted.back(), unit));
     found.value = share;
     found.unit = "1";
     found.false_alarm = worst;
@@ -101,7 +108,8 @@ void check_clipping(const Evidence& evidence, std::size_t channel, const std::ve
 }
 
 /// Runs of one and the same value, longer than chance gives at the channel's resolution.
-void check_held(const Evidence& evidence, std::size_t channel, const std::vector<double>& sorted, std::vector<Fault>& faults) {
+void check_held(const Evidence& evidence, std::size_t channel, const std::vector<double>& sorted,
+                std::vector<Fault>& faults) {
     constexpr std::size_t shortest = 8;
     const auto& x = evidence.series().channels[channel].samples;
     const double tolerance = same_value * (sorted.back() - sorted.front());
@@ -115,8 +123,8 @@ void check_held(const Evidence& evidence, std::size_t channel, const std::vector
         if (n - begin < shortest) repeats += n - begin - 1;
         pairs += n - begin < shortest ? n - begin : 1;
     }
-    // Chance that a sample repeats the one before, and with it the expected number of runs of a length. Slow channels of coarse
-    // resolution stand still at their turning points: a run must also be many times the usual one.
+    // Chance that a sample repeats the one before, and with it the expected number of runs of a length. Slow channels
+    // of coarse resolution stand still at their turning points: a run must also be many times the usual one.
     const double repeat = (static_cast<double>(repeats) + 1.0) / (static_cast<double>(pairs) + 2.0);
     const double usual = 1.0 / (1.0 - repeat);
     double held = 0.0;
@@ -133,9 +141,12 @@ void check_held(const Evidence& evidence, std::size_t channel, const std::vector
     }
     if (count == 0) return;
     const double rate = evidence.series().sampling_rate_hz;
-    Fault found = fault(evidence, channel, FaultKind::held_values, held / static_cast<double>(x.size()) > 0.01 ? Severity::error : Severity::warning,
-                        fmt::format("the value stands still {} time{}, {:.3g} s in all, the longest {:.3g} s at {:.3f} s: a dropout", count, count > 1 ? "s" : "", held / rate,
-                                    static_cast<double>(longest.length) / rate, static_cast<double>(longest.begin) / rate));
+    Fault found = fault(
+        evidence, channel, FaultKind::held_values,
+        held / static_cast<double>(x.size()) > 0.01 ? Severity::error : Severity::warning,
+        fmt::format("the value stands still {} time{}, {:.3g} s in all, the longest {:.3g} s at {:.3f} s: a dropout",
+                    count, count > 1 ? "s" : "", held / rate, static_cast<double>(longest.length) / rate,
+                    static_cast<double>(longest.begin) / rate));
     found.from_s = static_cast<double>(longest.begin) / rate;
     found.to_s = static_cast<double>(longest.begin + longest.length) / rate;
     found.value = held / static_cast<double>(x.size());
@@ -144,7 +155,8 @@ void check_held(const Evidence& evidence, std::size_t channel, const std::vector
     faults.push_back(std::move(found));
 }
 
-void check_resolution(const Evidence& evidence, std::size_t channel, const std::vector<double>& sorted, std::vector<Fault>& faults) {
+void check_resolution(const Evidence& evidence, std::size_t channel, const std::vector<double>& sorted,
+                      std::vector<Fault>& faults) {
     const double tolerance = same_value * (sorted.back() - sorted.front());
     std::size_t levels = 1;
     double mean = sorted.front(), square = 0.0;
@@ -158,9 +170,12 @@ void check_resolution(const Evidence& evidence, std::size_t channel, const std::
     const double step = (sorted.back() - sorted.front()) / static_cast<double>(levels > 1 ? levels - 1 : 1);
     // Rounding adds noise of step/√12: at a tenth of the rms it is −31 dB, seen in every quiet band.
     if (levels < 2 || sorted.size() < 10 * levels || step < 0.1 * rms) return;
-    Fault found = fault(evidence, channel, FaultKind::coarse_resolution, Severity::note,
-                        fmt::format("few digits: {} different values, steps of {:.3g} of the rms; the rounding is noise of {:.3g} {} rms", levels, step / rms, step / std::sqrt(12.0),
-                                    si_unit(evidence.series().channels[channel].description.quantity)));
+    Fault found =
+        fault(evidence, channel, FaultKind::coarse_resolution, Severity::note,
+              fmt::format(
+                  "few digits: {} different values, steps of {:.3g} of the rms; the rounding is noise of {:.3g} {} rms",
+                  levels, step / rms, step / std::sqrt(12.0),
+                  si_unit(evidence.series().channels[channel].description.quantity)));
     found.value = step;
     found.unit = si_unit(evidence.series().channels[channel].description.quantity);
     faults.push_back(std::move(found));
@@ -172,15 +187,18 @@ void check_samples(const Evidence& evidence, std::vector<Fault>& faults) {
     for (std::size_t i = 0; i < evidence.series().channels.size(); ++i) {
         check_missing(evidence, i, faults);
         std::vector<double> sorted;
-        std::copy_if(evidence.series().channels[i].samples.begin(), evidence.series().channels[i].samples.end(), std::back_inserter(sorted), [](double x) { return std::isfinite(x); });
+        std::copy_if(evidence.series().channels[i].samples.begin(), evidence.series().channels[i].samples.end(),
+                     std::back_inserter(sorted), [](double x) { return std::isfinite(x); });
         if (sorted.empty()) {
-            faults.push_back(fault(evidence, i, FaultKind::constant, Severity::error, "the channel holds no number at all"));
+            faults.push_back(
+                fault(evidence, i, FaultKind::constant, Severity::error, "the channel holds no number at all"));
             continue;
         }
         std::sort(sorted.begin(), sorted.end());
         const double range = sorted.back() - sorted.front();
         if (range <= 1e-12 * std::max(std::abs(sorted.back()), std::abs(sorted.front())) || range == 0.0) {
-            Fault found = fault(evidence, i, FaultKind::constant, Severity::error, fmt::format("the channel is constant: {:.4g} throughout", sorted.front()));
+            Fault found = fault(evidence, i, FaultKind::constant, Severity::error,
+                                fmt::format("the channel is constant: {:.4g} throughout", sorted.front()));
             found.value = sorted.front();
             found.unit = si_unit(evidence.series().channels[i].description.quantity);
             faults.push_back(std::move(found));

@@ -28,7 +28,8 @@ Fault whole_record(FaultKind kind, Severity severity, std::string says, double v
 double written_step(const std::vector<double>& time) {
     for (double step = 1.0; step > 1e-12; step /= 10.0) {
         bool fits = true;
-        for (std::size_t i = 0; i < time.size() && fits; i += 1 + time.size() / 2000) fits = std::abs(time[i] / step - std::round(time[i] / step)) < 1e-4 + 4e-16 * std::abs(time[i]) / step;
+        for (std::size_t i = 0; i < time.size() && fits; i += 1 + time.size() / 2000)
+            fits = std::abs(time[i] / step - std::round(time[i] / step)) < 1e-4 + 4e-16 * std::abs(time[i]) / step;
         if (fits) return step;
     }
     return 0.0;
@@ -59,28 +60,44 @@ void check_times(const Evidence& evidence, std::vector<Fault>& faults) {
         }
     }
     if (gaps > 0) {
-        Fault found = whole_record(FaultKind::missing_samples, Severity::error, fmt::format("the time jumps {} time{}, the longest by {:.4g} s at {:.3f} s: samples are missing there, and what follows is late", gaps, gaps > 1 ? "s" : "", longest, at), static_cast<double>(gaps), "1");
+        Fault found = whole_record(FaultKind::missing_samples, Severity::error,
+                                   fmt::format("the time jumps {} time{}, the longest by {:.4g} s at {:.3f} s: samples "
+                                               "are missing there, and what follows is late",
+                                               gaps, gaps > 1 ? "s" : "", longest, at),
+                                   static_cast<double>(gaps), "1");
         found.from_s = at - time.front();
         found.to_s = at - time.front() + longest;
         faults.push_back(std::move(found));
     }
     if (backwards + missing > 0)
-        faults.push_back(whole_record(FaultKind::sampling_jitter, Severity::error, fmt::format("the time stands still or runs backwards {} times and is missing {} times", backwards, missing), static_cast<double>(backwards + missing), "1"));
+        faults.push_back(whole_record(
+            FaultKind::sampling_jitter, Severity::error,
+            fmt::format("the time stands still or runs backwards {} times and is missing {} times", backwards, missing),
+            static_cast<double>(backwards + missing), "1"));
     if (steps.size() < 16) return;
     double mean = 0.0, square = 0.0;
     for (const double step : steps) mean += step / static_cast<double>(steps.size());
     for (const double step : steps) square += (step - mean) * (step - mean);
     const double deviation = std::sqrt(square / static_cast<double>(steps.size() - 1));
-    // Times written with few digits scatter by their last digit alone: two rounded times differ by at most one step of it.
+    // Times written with few digits scatter by their last digit alone: two rounded times differ by at most one step of
+    // it.
     const double rounding = 0.5 * written_step(time);
     if (deviation > std::max(2.0 * rounding, 0.002 * mean)) {
         const double error_phase = 100.0 * 2.0 * 3.14159265 * deviation;
-        faults.push_back(whole_record(FaultKind::sampling_jitter, deviation > 0.05 * mean ? Severity::error : Severity::warning,
-                                      fmt::format("the sampling interval scatters by {:.3g} ms ({:.2g} %): a phase error of {:.2g} rad at 100 Hz", 1e3 * deviation, 100.0 * deviation / mean, error_phase), deviation, "s"));
+        faults.push_back(whole_record(
+            FaultKind::sampling_jitter, deviation > 0.05 * mean ? Severity::error : Severity::warning,
+            fmt::format("the sampling interval scatters by {:.3g} ms ({:.2g} %): a phase error of {:.2g} rad at 100 Hz",
+                        1e3 * deviation, 100.0 * deviation / mean, error_phase),
+            deviation, "s"));
     }
     const double found_rate = 1.0 / mean;
-    if (gaps == 0 && std::abs(found_rate / rate - 1.0) > std::max(1e-4, 2.0 * rounding / (mean * static_cast<double>(steps.size()))))
-        faults.push_back(whole_record(FaultKind::sampling_rate, Severity::error, fmt::format("the times in the file say {:.6g} Hz, {:g} Hz is stated: every frequency is off by {:.3g} %", found_rate, rate, 100.0 * (found_rate / rate - 1.0)), found_rate, "Hz"));
+    if (gaps == 0 &&
+        std::abs(found_rate / rate - 1.0) > std::max(1e-4, 2.0 * rounding / (mean * static_cast<double>(steps.size()))))
+        faults.push_back(whole_record(
+            FaultKind::sampling_rate, Severity::error,
+            fmt::format("the times in the file say {:.6g} Hz, {:g} Hz is stated: every frequency is off by {:.3g} %",
+                        found_rate, rate, 100.0 * (found_rate / rate - 1.0)),
+            found_rate, "Hz"));
 }
 
 void check_mileage(const Evidence& evidence, std::vector<Fault>& faults) {
@@ -88,16 +105,23 @@ void check_mileage(const Evidence& evidence, std::vector<Fault>& faults) {
     if (series.mileage_m.size() < 100) return;
     const double duration = static_cast<double>(series.mileage_m.size() - 1) / series.sampling_rate_hz;
     const double travelled = std::abs(series.mileage_m.back() - series.mileage_m.front());
-    // A tachometer's steps scatter with the speed; a mileage computed afterwards grows by the same step, but for its last digit.
+    // A tachometer's steps scatter with the speed; a mileage computed afterwards grows by the same step, but for its
+    // last digit.
     std::vector<double> steps;
     constexpr std::size_t stride = 50;
-    for (std::size_t i = stride; i < series.mileage_m.size(); i += stride) steps.push_back(std::abs(series.mileage_m[i] - series.mileage_m[i - stride]));
+    for (std::size_t i = stride; i < series.mileage_m.size(); i += stride)
+        steps.push_back(std::abs(series.mileage_m[i] - series.mileage_m[i - stride]));
     const double step = median(steps);
     double largest = 0.0;
     for (const double s : steps) largest = std::max(largest, std::abs(s - step));
     const bool constant = step > 0.0 && largest < 0.005 * step;
     if (constant)
-        faults.push_back(whole_record(FaultKind::mileage, Severity::note, fmt::format("the mileage grows by one constant step ({:.4g} m/s): it was computed, not measured by a tachometer", travelled / duration), travelled / duration, "m/s"));
+        faults.push_back(whole_record(
+            FaultKind::mileage, Severity::note,
+            fmt::format(
+                "the mileage grows by one constant step ({:.4g} m/s): it was computed, not measured by a tachometer",
+                travelled / duration),
+            travelled / duration, "m/s"));
     double speed = 0.0, spread = 0.0;
     if (series.speed_m_per_s.size() > 1) {
         for (const double v : series.speed_m_per_s) speed += v / static_cast<double>(series.speed_m_per_s.size());
@@ -109,7 +133,11 @@ void check_mileage(const Evidence& evidence, std::vector<Fault>& faults) {
     if (speed <= 0.0) return;
     const double ratio = travelled / duration / speed - 1.0;
     if (std::abs(ratio) > spread)
-        faults.push_back(whole_record(FaultKind::mileage, Severity::warning, fmt::format("the mileage is {:.2g} % {} for the speed: {:.1f} m where {:.4g} m/s make {:.1f} m", 100.0 * std::abs(ratio), ratio < 0.0 ? "short" : "long", travelled, speed, speed * duration), ratio, "1"));
+        faults.push_back(whole_record(
+            FaultKind::mileage, Severity::warning,
+            fmt::format("the mileage is {:.2g} % {} for the speed: {:.1f} m where {:.4g} m/s make {:.1f} m",
+                        100.0 * std::abs(ratio), ratio < 0.0 ? "short" : "long", travelled, speed, speed * duration),
+            ratio, "1"));
 }
 
 }  // namespace
@@ -128,7 +156,8 @@ void check_aliasing(const Evidence& evidence, std::vector<Fault>& faults) {
         std::vector<double> last;
         double highest = 0.0;
         for (std::size_t k = 1; k < spectra.bins(); ++k)
-            if (spectra.frequency_hz[k] > 0.88 * half && spectra.frequency_hz[k] < 0.98 * half) last.push_back(spectra.psd(k, i));
+            if (spectra.frequency_hz[k] > 0.88 * half && spectra.frequency_hz[k] < 0.98 * half)
+                last.push_back(spectra.psd(k, i));
         for (double low = 0.5; low < 0.88 * half; low *= 1.26) {
             std::vector<double> band;
             const double high = std::max(1.26 * low, low + 3.1 * spectra.kernel().bin_hz());
@@ -144,7 +173,10 @@ void check_aliasing(const Evidence& evidence, std::vector<Fault>& faults) {
         found.kind = FaultKind::aliasing;
         found.severity = fall_db < 10.0 ? Severity::error : Severity::warning;
         found.channels = {evidence.name(i)};
-        found.says = fmt::format("the spectrum has fallen by only {:.0f} dB at half the sampling rate: without an anti-aliasing filter vibration above {:g} Hz is folded into the record", fall_db, half);
+        found.says = fmt::format(
+            "the spectrum has fallen by only {:.0f} dB at half the sampling rate: without an anti-aliasing filter "
+            "vibration above {:g} Hz is folded into the record",
+            fall_db, half);
         found.low_hz = 0.0;
         found.high_hz = half;
         found.value = fall_db;

@@ -59,7 +59,8 @@ double bartlett_exceeded(const BandPowers& band) {
         inverse += 1.0 / nu;
     }
     const double k = static_cast<double>(band.power.size());
-    const double statistic = (degrees * std::log(weighted / degrees) - logs) / (1.0 + (inverse - 1.0 / degrees) / (3.0 * (k - 1.0)));
+    const double statistic =
+        (degrees * std::log(weighted / degrees) - logs) / (1.0 + (inverse - 1.0 / degrees) / (3.0 * (k - 1.0)));
     return chi_squared_exceeded(statistic, k - 1.0);
 }
 
@@ -71,7 +72,9 @@ void check_levels(const Evidence& evidence, std::vector<Fault>& faults) {
     for (std::size_t b = 0; b < count; ++b) {
         const double from = duration * static_cast<double>(b) / static_cast<double>(count);
         try {
-            parts.push_back(estimate_cross_spectra(evidence.series(), {.window_s = window_s, .from_s = from, .to_s = from + duration / static_cast<double>(count)}));
+            parts.push_back(estimate_cross_spectra(
+                evidence.series(),
+                {.window_s = window_s, .from_s = from, .to_s = from + duration / static_cast<double>(count)}));
         } catch (const parameters::ParameterError&) {  // a part without one complete window says nothing
         }
     }
@@ -96,7 +99,10 @@ void check_levels(const Evidence& evidence, std::vector<Fault>& faults) {
         }
         if (changing == 0 || spread < 3.0) continue;
         Fault found = whole_record(FaultKind::not_stationary, spread > 10.0 ? Severity::warning : Severity::note,
-                                   fmt::format("the level changes along the record by up to {:.1f} dB ({:g}–{:g} Hz; {} of {} octaves): intervals of its spectra are too narrow", spread, low, high, changing, bands), spread, "dB", least);
+                                   fmt::format("the level changes along the record by up to {:.1f} dB ({:g}–{:g} Hz; "
+                                               "{} of {} octaves): intervals of its spectra are too narrow",
+                                               spread, low, high, changing, bands),
+                                   spread, "dB", least);
         found.channels = {evidence.name(i)};
         found.low_hz = low;
         found.high_hz = high;
@@ -131,14 +137,20 @@ void check_stops(const Evidence& evidence, std::vector<Fault>& faults) {
     if (level.size() < 8) return;
     std::vector<double> sorted = level;
     std::sort(sorted.begin(), sorted.end());
-    // A twentieth of the usual level, for two seconds at least. The upper quartile is taken for usual: a record may stand for half its time.
+    // A twentieth of the usual level, for two seconds at least. The upper quartile is taken for usual: a record may
+    // stand for half its time.
     const double quiet = 0.05 * sorted[3 * sorted.size() / 4];
     for (std::size_t k = 0; k < level.size();) {
         const std::size_t begin = k;
         while (k < level.size() && level[k] < quiet) ++k;
         if (k - begin >= 4) {
-            const double from = static_cast<double>(begin * step) / series.sampling_rate_hz, to = static_cast<double>(k * step) / series.sampling_rate_hz;
-            Fault found = whole_record(FaultKind::stop, Severity::error, fmt::format("from {:.1f} to {:.1f} s nothing moves: a stop, or an interruption of all channels", from, to), to - from, "s", 0.0);
+            const double from = static_cast<double>(begin * step) / series.sampling_rate_hz,
+                         to = static_cast<double>(k * step) / series.sampling_rate_hz;
+            Fault found = whole_record(
+                FaultKind::stop, Severity::error,
+                fmt::format("from {:.1f} to {:.1f} s nothing moves: a stop, or an interruption of all channels", from,
+                            to),
+                to - from, "s", 0.0);
             found.from_s = from;
             found.to_s = to;
             faults.push_back(std::move(found));
@@ -153,10 +165,15 @@ void check_speed_channel(const Evidence& evidence, std::vector<Fault>& faults) {
         if (std::isfinite(v)) speed.push_back(v);
     if (speed.size() < 100) return;
     std::sort(speed.begin(), speed.end());
-    const double low = speed[speed.size() / 100], high = speed[speed.size() - 1 - speed.size() / 100], middle = speed[speed.size() / 2];
+    const double low = speed[speed.size() / 100], high = speed[speed.size() - 1 - speed.size() / 100],
+                 middle = speed[speed.size() / 2];
     if (middle <= 0.0 || (high - low) / middle < 0.01) return;
-    faults.push_back(whole_record(FaultKind::speed_changes, (high - low) / middle > 0.05 ? Severity::error : Severity::warning,
-                                  fmt::format("the speed channel runs from {:.4g} to {:.4g} m/s ({:.1f} %): lines are smeared and spectra mix speeds", low, high, 100.0 * (high - low) / middle), (high - low) / middle, "1", 0.0));
+    faults.push_back(whole_record(
+        FaultKind::speed_changes, (high - low) / middle > 0.05 ? Severity::error : Severity::warning,
+        fmt::format(
+            "the speed channel runs from {:.4g} to {:.4g} m/s ({:.1f} %): lines are smeared and spectra mix speeds",
+            low, high, 100.0 * (high - low) / middle),
+        (high - low) / middle, "1", 0.0));
 }
 
 /// The delay of the longest pair, part by part.
@@ -166,15 +183,18 @@ void check_speed_by_delays(const Evidence& evidence, std::vector<Fault>& faults)
         if (pair.delay.seconds > 0.0 && (!longest || pair.distance_m > longest->distance_m)) longest = &pair;
     const TimeSeries& series = evidence.series();
     if (!longest || series.duration_s() < 12.0 * longest->delay.seconds) return;
-    const std::size_t count = std::min<std::size_t>(6, static_cast<std::size_t>(series.duration_s() / std::max(5.0, 6.0 * longest->delay.seconds)));
+    const std::size_t count = std::min<std::size_t>(
+        6, static_cast<std::size_t>(series.duration_s() / std::max(5.0, 6.0 * longest->delay.seconds)));
     std::vector<double> speeds, errors;
     for (std::size_t b = 0; b < count && count >= 2; ++b) {
         const auto cut = [&](std::size_t channel) {
             const auto& x = evidence.detrended[channel];
-            return std::vector<double>(x.begin() + static_cast<std::ptrdiff_t>(b * x.size() / count), x.begin() + static_cast<std::ptrdiff_t>((b + 1) * x.size() / count));
+            return std::vector<double>(x.begin() + static_cast<std::ptrdiff_t>(b * x.size() / count),
+                                       x.begin() + static_cast<std::ptrdiff_t>((b + 1) * x.size() / count));
         };
         const double usual = longest->delay.seconds;
-        const Delay delay = estimate_delay(cut(longest->front), cut(longest->rear), series.sampling_rate_hz, {.least_s = 0.7 * usual, .most_s = 1.4 * usual, .window_s = 1.0});
+        const Delay delay = estimate_delay(cut(longest->front), cut(longest->rear), series.sampling_rate_hz,
+                                           {.least_s = 0.7 * usual, .most_s = 1.4 * usual, .window_s = 1.0});
         if (!delay.found) continue;
         speeds.push_back(longest->distance_m / delay.seconds);
         // Two hundredths of a percent for what the errors of short parts leave out.
@@ -192,18 +212,28 @@ void check_speed_by_delays(const Evidence& evidence, std::vector<Fault>& faults)
     const auto [slowest, fastest] = std::minmax_element(speeds.begin(), speeds.end());
     const double range = (*fastest - *slowest) / mean;
     if (p > 1e-8 || range < 0.004) return;
-    faults.push_back(whole_record(FaultKind::speed_changes, range > 0.05 ? Severity::error : Severity::warning,
-                                  fmt::format("by the delay from {} to {} the speed runs from {:.4g} to {:.4g} m/s ({:.1f} %): lines are smeared and spectra mix speeds", evidence.name(longest->front), evidence.name(longest->rear), *slowest, *fastest, 100.0 * range), range, "1", p));
+    faults.push_back(whole_record(
+        FaultKind::speed_changes, range > 0.05 ? Severity::error : Severity::warning,
+        fmt::format("by the delay from {} to {} the speed runs from {:.4g} to {:.4g} m/s ({:.1f} %): lines are smeared "
+                    "and spectra mix speeds",
+                    evidence.name(longest->front), evidence.name(longest->rear), *slowest, *fastest, 100.0 * range),
+        range, "1", p));
 }
 
 void check_stated_speed(const Evidence& evidence, std::vector<Fault>& faults) {
     const RecordingDescription& d = evidence.recording.description;
     if (!evidence.speed || d.speed_m_per_s <= 0.0) return;
-    const double error = std::hypot(evidence.speed->standard_error_m_per_s, std::max(d.speed_standard_error_m_per_s, 5e-4 * d.speed_m_per_s));
+    const double error = std::hypot(evidence.speed->standard_error_m_per_s,
+                                    std::max(d.speed_standard_error_m_per_s, 5e-4 * d.speed_m_per_s));
     const double difference = evidence.speed->speed_m_per_s - d.speed_m_per_s, z = std::abs(difference) / error;
-    // The geometry of the believed vehicle enters as well: less than half a percent is not held against the stated speed.
+    // The geometry of the believed vehicle enters as well: less than half a percent is not held against the stated
+    // speed.
     if (z < 5.0 || std::abs(difference) < 0.005 * d.speed_m_per_s) return;
-    faults.push_back(whole_record(FaultKind::speed_mismatch, Severity::error, fmt::format("stated are {:.4g} m/s, the delays between the channels say {:.4g} ± {:.2g} m/s", d.speed_m_per_s, evidence.speed->speed_m_per_s, 1.645 * evidence.speed->standard_error_m_per_s), difference, "m/s", 2.0 * normal_exceeded(z)));
+    faults.push_back(whole_record(
+        FaultKind::speed_mismatch, Severity::error,
+        fmt::format("stated are {:.4g} m/s, the delays between the channels say {:.4g} ± {:.2g} m/s", d.speed_m_per_s,
+                    evidence.speed->speed_m_per_s, 1.645 * evidence.speed->standard_error_m_per_s),
+        difference, "m/s", 2.0 * normal_exceeded(z)));
 }
 
 }  // namespace
@@ -211,7 +241,12 @@ void check_stated_speed(const Evidence& evidence, std::vector<Fault>& faults) {
 void check_stationarity(const Evidence& evidence, std::vector<Fault>& faults) {
     const double duration = evidence.series().duration_s();
     // 20 s: 20 windows of 2 s, the least for cross-spectra of 9 channels (averages must exceed channels twice).
-    if (duration < 20.0) faults.push_back(whole_record(FaultKind::too_short, duration < 4.0 ? Severity::error : Severity::warning, fmt::format("{:.3g} s are short: with 2 s windows there are {:.0f} independent averages", duration, std::max(0.0, std::floor(duration - 1.0))), duration, "s", 0.0));
+    if (duration < 20.0)
+        faults.push_back(
+            whole_record(FaultKind::too_short, duration < 4.0 ? Severity::error : Severity::warning,
+                         fmt::format("{:.3g} s are short: with 2 s windows there are {:.0f} independent averages",
+                                     duration, std::max(0.0, std::floor(duration - 1.0))),
+                         duration, "s", 0.0));
     check_levels(evidence, faults);
     check_stops(evidence, faults);
     check_speed_channel(evidence, faults);

@@ -17,8 +17,8 @@ struct Fit {
 };
 
 double pair_error(const PairDelay& pair) {
-    // The ripple that the rail's coupling of neighbouring wheels puts on the phase is not all in the standard error: no delay is
-    // believed better than 50 µs, or 0.02 % of itself (speed changes within the record).
+    // The ripple that the rail's coupling of neighbouring wheels puts on the phase is not all in the standard error: no
+    // delay is believed better than 50 µs, or 0.02 % of itself (speed changes within the record).
     return std::hypot(pair.delay.standard_error_s, std::hypot(50e-6, 2e-4 * pair.delay.seconds));
 }
 
@@ -31,7 +31,10 @@ Fit fit(const std::vector<PairDelay>& pairs, std::ptrdiff_t skewed) {
         const PairDelay& pair = pairs[static_cast<std::size_t>(r)];
         const double weight = 1.0 / pair_error(pair);
         design(r, 0) = weight * pair.distance_m;
-        if (columns > 1) design(r, 1) = weight * (static_cast<std::ptrdiff_t>(pair.rear) == skewed ? 1.0 : static_cast<std::ptrdiff_t>(pair.front) == skewed ? -1.0 : 0.0);
+        if (columns > 1)
+            design(r, 1) = weight * (static_cast<std::ptrdiff_t>(pair.rear) == skewed    ? 1.0
+                                     : static_cast<std::ptrdiff_t>(pair.front) == skewed ? -1.0
+                                                                                         : 0.0);
         observed[r] = weight * pair.delay.seconds;
     }
     const Eigen::MatrixXd normal = design.transpose() * design;
@@ -51,7 +54,8 @@ Fault skew(std::vector<std::string> channels, double offset, double error, doubl
     Fault found;
     found.kind = FaultKind::timing_skew;
     found.severity = Severity::error;
-    found.says = fmt::format("{:.3f} ms {} (± {:.3f}), {}", 1e3 * std::abs(offset), offset > 0.0 ? "late" : "early", 1.645e3 * error, how);
+    found.says = fmt::format("{:.3f} ms {} (± {:.3f}), {}", 1e3 * std::abs(offset), offset > 0.0 ? "late" : "early",
+                             1.645e3 * error, how);
     found.channels = std::move(channels);
     found.value = offset;
     found.unit = "s";
@@ -65,12 +69,18 @@ void check_same_place(const Evidence& evidence, double least, std::vector<Fault>
     for (std::size_t i = 0; i < channels.size(); ++i)
         for (std::size_t j = i + 1; j < channels.size(); ++j) {
             const ChannelDescription &a = channels[i].description, &b = channels[j].description;
-            if (a.location == Location::none || a.location == Location::body || a.location != b.location || a.index != b.index || a.quantity != b.quantity) continue;
-            const Delay delay = estimate_delay(evidence.detrended[i], evidence.detrended[j], evidence.series().sampling_rate_hz, {.least_s = -0.2, .most_s = 0.2});
+            if (a.location == Location::none || a.location == Location::body || a.location != b.location ||
+                a.index != b.index || a.quantity != b.quantity)
+                continue;
+            const Delay delay = estimate_delay(evidence.detrended[i], evidence.detrended[j],
+                                               evidence.series().sampling_rate_hz, {.least_s = -0.2, .most_s = 0.2});
             const double error = std::hypot(delay.standard_error_s, 50e-6);
             // The two rails are not alike: only a clear common part says anything.
-            if (!delay.found || delay.correlation < 0.5 || std::abs(delay.seconds) < std::max(least, 6.0 * error)) continue;
-            faults.push_back(skew({b.name, a.name}, delay.seconds, error, normal_exceeded(std::abs(delay.seconds) / error), fmt::format("{} against {} at the same place", b.name, a.name)));
+            if (!delay.found || delay.correlation < 0.5 || std::abs(delay.seconds) < std::max(least, 6.0 * error))
+                continue;
+            faults.push_back(skew({b.name, a.name}, delay.seconds, error,
+                                  normal_exceeded(std::abs(delay.seconds) / error),
+                                  fmt::format("{} against {} at the same place", b.name, a.name)));
         }
 }
 
@@ -95,7 +105,9 @@ void check_timing(const Evidence& evidence, std::vector<Fault>& faults) {
     // Delays share channels, so gains are not exactly χ²₁: 36 is six standard deviations.
     if (gain < 36.0 || std::abs(best.offset) < least) return;
     std::vector<std::string> names = {evidence.name(channel)};
-    std::string how = fmt::format("after {:.4g} m/s × distance is taken off all delays; it does not scale with the distance", 1.0 / best.slowness);
+    std::string how =
+        fmt::format("after {:.4g} m/s × distance is taken off all delays; it does not scale with the distance",
+                    1.0 / best.slowness);
     for (auto next = std::next(candidates.begin()); next != candidates.end(); ++next)
         if (next->first - best.chi_squared < 9.0) {  // cannot be told apart
             names.push_back(evidence.name(next->second.first));

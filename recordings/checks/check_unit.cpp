@@ -20,12 +20,13 @@ struct UnitError {
     const char* says;
 };
 
-constexpr std::array<UnitError, 6> unit_errors = {{{standard_gravity_m_per_s2, "9.81 too high: numbers in m/s^2 taken for g"},
-                                                   {1.0 / standard_gravity_m_per_s2, "9.81 too low: numbers in g taken for m/s^2"},
-                                                   {1e3, "1000 too high: numbers in mm taken for m"},
-                                                   {1e-3, "1000 too low: numbers in m taken for mm"},
-                                                   {1e3 * standard_gravity_m_per_s2, "9810 too high"},
-                                                   {1e-3 / standard_gravity_m_per_s2, "9810 too low"}}};
+constexpr std::array<UnitError, 6> unit_errors = {
+    {{standard_gravity_m_per_s2, "9.81 too high: numbers in m/s^2 taken for g"},
+     {1.0 / standard_gravity_m_per_s2, "9.81 too low: numbers in g taken for m/s^2"},
+     {1e3, "1000 too high: numbers in mm taken for m"},
+     {1e-3, "1000 too low: numbers in m taken for mm"},
+     {1e3 * standard_gravity_m_per_s2, "9810 too high"},
+     {1e-3 / standard_gravity_m_per_s2, "9810 too low"}}};
 
 double median(std::vector<double> values) {
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -35,7 +36,9 @@ double median(std::vector<double> values) {
 
 /// The unit error that explains a level difference, with the probability that there is none.
 const UnitError* explain(double level_db, double& probability_none) {
-    const auto likelihood = [&](double expected) { return std::exp(-0.5 * std::pow((level_db - expected) / level_scatter_db, 2)); };
+    const auto likelihood = [&](double expected) {
+        return std::exp(-0.5 * std::pow((level_db - expected) / level_scatter_db, 2));
+    };
     double total = prior_right * likelihood(0.0), best = 0.0;
     const double none = total;
     const UnitError* explanation = nullptr;
@@ -63,15 +66,18 @@ double interpolated(const PredictedSpectrum& predicted, double f) {
 
 void against_prediction(const Evidence& evidence, std::size_t channel, std::vector<Fault>& faults) {
     const CrossSpectra& spectra = *evidence.spectra;
-    const auto predicted = std::find_if(evidence.context.predicted.begin(), evidence.context.predicted.end(), [&](const PredictedSpectrum& p) { return p.channel == evidence.name(channel); });
+    const auto predicted =
+        std::find_if(evidence.context.predicted.begin(), evidence.context.predicted.end(),
+                     [&](const PredictedSpectrum& p) { return p.channel == evidence.name(channel); });
     if (predicted == evidence.context.predicted.end()) return;
-    // Median over third-octave steps of the level difference, of the bands within 25 dB of the strongest predicted one: a wrong peak
-    // does not move it, and bands that hold nothing but the sensor's noise do not count.
+    // Median over third-octave steps of the level difference, of the bands within 25 dB of the strongest predicted one:
+    // a wrong peak does not move it, and bands that hold nothing but the sensor's noise do not count.
     std::vector<double> differences, weights;
     for (double centre = 2.0; centre < 0.4 * spectra.sampling_rate_hz; centre *= std::pow(10.0, 0.1)) {
         double measured = 0.0, expected = 0.0;
         for (std::size_t k = 1; k < spectra.bins(); ++k)
-            if (spectra.frequency_hz[k] >= centre * std::pow(10.0, -0.05) && spectra.frequency_hz[k] < centre * std::pow(10.0, 0.05)) {
+            if (spectra.frequency_hz[k] >= centre * std::pow(10.0, -0.05) &&
+                spectra.frequency_hz[k] < centre * std::pow(10.0, 0.05)) {
                 measured += spectra.psd(k, channel);
                 expected += interpolated(*predicted, spectra.frequency_hz[k]);
             }
@@ -93,7 +99,8 @@ void against_prediction(const Evidence& evidence, std::size_t channel, std::vect
     found.kind = FaultKind::wrong_unit;
     found.severity = Severity::error;
     found.channels = {evidence.name(channel)};
-    found.says = fmt::format("{:.1f} dB {} what the case predicts: most likely a factor {}", std::abs(level), level > 0.0 ? "above" : "below", error->says);
+    found.says = fmt::format("{:.1f} dB {} what the case predicts: most likely a factor {}", std::abs(level),
+                             level > 0.0 ? "above" : "below", error->says);
     found.value = error->factor;
     found.unit = "1";
     found.false_alarm = none;
@@ -111,10 +118,13 @@ void among_channels(const Evidence& evidence, std::vector<Fault>& faults) {
         for (std::size_t j = 0; j < spectra.size(); ++j) {
             const ChannelDescription& other = spectra.channels[j];
             if (j == i || other.location != channel.location || other.quantity != channel.quantity) continue;
-            if (channel.location == Location::body && std::abs(std::abs(other.position_m) - std::abs(channel.position_m)) > 1.0) continue;
+            if (channel.location == Location::body &&
+                std::abs(std::abs(other.position_m) - std::abs(channel.position_m)) > 1.0)
+                continue;
             std::vector<double> differences;
             for (std::size_t k = 1; k < spectra.bins(); ++k)
-                if (spectra.frequency_hz[k] > 1.0 && spectra.frequency_hz[k] < 0.3 * spectra.sampling_rate_hz && spectra.psd(k, i) > 0.0 && spectra.psd(k, j) > 0.0)
+                if (spectra.frequency_hz[k] > 1.0 && spectra.frequency_hz[k] < 0.3 * spectra.sampling_rate_hz &&
+                    spectra.psd(k, i) > 0.0 && spectra.psd(k, j) > 0.0)
                     differences.push_back(10.0 * std::log10(spectra.psd(k, i) / spectra.psd(k, j)));
             if (differences.size() < 8) continue;
             against.push_back(median(differences));
@@ -131,8 +141,11 @@ void among_channels(const Evidence& evidence, std::vector<Fault>& faults) {
         found.severity = Severity::error;
         found.channels = {channel.name};
         if (against.size() == 1) found.channels.push_back(names[0]);
-        found.says = against.size() == 1 ? fmt::format("{} is {:.1f} dB above {}: one of the two has a unit wrong by a factor {:.4g}", channel.name, level, names[0], error->factor)
-                                         : fmt::format("{:+.1f} dB against the other channels at such places: most likely a factor {}", level, error->says);
+        found.says = against.size() == 1
+                         ? fmt::format("{} is {:.1f} dB above {}: one of the two has a unit wrong by a factor {:.4g}",
+                                       channel.name, level, names[0], error->factor)
+                         : fmt::format("{:+.1f} dB against the other channels at such places: most likely a factor {}",
+                                       level, error->says);
         found.value = error->factor;
         found.unit = "1";
         found.false_alarm = none;
@@ -149,7 +162,8 @@ void check_unit(const Evidence& evidence, std::vector<Fault>& faults) {
             found.kind = FaultKind::unknown_scale;
             found.severity = Severity::note;
             found.channels = {channel.description.name};
-            found.says = "the scale is stated to be unknown: shapes, ratios and frequencies can be judged, levels cannot";
+            found.says =
+                "the scale is stated to be unknown: shapes, ratios and frequencies can be judged, levels cannot";
             faults.push_back(std::move(found));
         }
     if (!evidence.spectra) return;

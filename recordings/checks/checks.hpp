@@ -1,7 +1,7 @@
 #pragma once
-// The checks of a recording. Each looks for one kind of fault (or a few that share their arithmetic) and returns what it found.
-// Thresholds are chosen so that a sound record raises a false alarm in far less than 1 % of all cases per check; the verification
-// tests count them on 500 sound records.
+// The checks of a recording. Each looks for one kind of fault (or a few that share their arithmetic) and returns what
+// it found. Thresholds are chosen so that a sound record raises a false alarm in far less than 1 % of all cases per
+// check; the verification tests count them on 500 sound records.
 
 #include <optional>
 #include <string>
@@ -19,11 +19,11 @@ namespace railpem::recordings::checks {
 struct Evidence {
     const Recording& recording;
     const InspectionContext& context;
-    const CrossSpectra* spectra = nullptr;             ///< 2 s windows; null when the record has no complete window
-    std::vector<std::vector<double>> detrended;        ///< per channel, missing samples 0
-    std::vector<std::vector<SpectralLine>> lines;      ///< per channel
-    std::vector<PairDelay> delays;                     ///< between axle boxes and between bogies; empty without a geometry
-    std::optional<WheelbaseSpeed> speed;               ///< from the delays
+    const CrossSpectra* spectra = nullptr;         ///< 2 s windows; null when the record has no complete window
+    std::vector<std::vector<double>> detrended;    ///< per channel, missing samples 0
+    std::vector<std::vector<SpectralLine>> lines;  ///< per channel
+    std::vector<PairDelay> delays;                 ///< between axle boxes and between bogies; empty without a geometry
+    std::optional<WheelbaseSpeed> speed;           ///< from the delays
 
     const TimeSeries& series() const { return recording.series; }
     const std::string& name(std::size_t channel) const { return series().channels[channel].description.name; }
@@ -32,16 +32,19 @@ struct Evidence {
 /// Missing samples (NaN), values that stand still, constant channels, few digits, clipping.
 void check_samples(const Evidence& evidence, std::vector<Fault>& faults);
 
-/// Mean and drift, by the t test on means of 16 parts of the record; 1/f noise, by the slope of the log-periodogram below 0.8 Hz
-/// (Geweke & Porter-Hudak 1983).
+/// Mean and drift, by the t test on means of 16 parts of the record; 1/f noise, by the slope of the log-periodogram
+/// below 0.8 Hz (Geweke & Porter-Hudak 1983).
 void check_offset(const Evidence& evidence, std::vector<Fault>& faults);
 
 /// Unit wrong by 9.81, 1000 or both: against the prediction when there is one, and among channels at like places.
 void check_unit(const Evidence& evidence, std::vector<Fault>& faults);
 
-/// Duplicated channels, by correlation; inverted polarity, by the signs of delayed copies, of the mean wheel and its bogie, and of
-/// the body's ends and its centre; swapped channels, by the order of the delays and by roughness above 20 Hz.
+/// Duplicated channels, by correlation; swapped channels, by the order of the delays and by roughness above 20 Hz.
 void check_channels(const Evidence& evidence, std::vector<Fault>& faults);
+
+/// Inverted channels, by the signs of delayed copies, of the mean wheel and its bogie, and of the body's ends and its
+/// centre.
+void check_polarity(const Evidence& evidence, std::vector<Fault>& faults);
 
 /// A channel late or early by the same time at every speed: what is left of the delays after slowness × distance.
 void check_timing(const Evidence& evidence, std::vector<Fault>& faults);
@@ -55,7 +58,8 @@ void check_aliasing(const Evidence& evidence, std::vector<Fault>& faults);
 /// Times in the file: jitter, gaps, a rate other than stated; mileage against speed.
 void check_sampling(const Evidence& evidence, std::vector<Fault>& faults);
 
-/// Levels that differ between parts of the record (Bartlett's test per octave), speed changes, stops, a record too short.
+/// Levels that differ between parts of the record (Bartlett's test per octave), speed changes, stops, a record too
+/// short.
 void check_stationarity(const Evidence& evidence, std::vector<Fault>& faults);
 
 /// Impacts: prediction errors of an autoregressive model beyond what a Gaussian record has.

@@ -1,5 +1,6 @@
-// Feeds arbitrary bytes to every reader. What a reader may do with them: return a table, or throw ReadError. Anything else ends
-// the run. The first byte chooses the reader; RAILPEM_FUZZ_READER (csv, text, uff, mat, hdf5, wav) fixes it for the whole run.
+// Feeds arbitrary bytes to every reader. What a reader may do with them: return a table, or throw ReadError. Anything
+// else ends the run. The first byte chooses the reader; RAILPEM_FUZZ_READER (csv, text, uff, mat, hdf5, wav) fixes it
+// for the whole run.
 
 #include <sys/mman.h>
 #include <unistd.h>
@@ -19,7 +20,8 @@ namespace {
 
 using namespace railpem::recordings;
 
-const ReadLimits limits{.memory_bytes = std::size_t{64} << 20, .line_bytes = std::size_t{1} << 16, .columns = 512, .seconds = 5.0};
+const ReadLimits limits{
+    .memory_bytes = std::size_t{64} << 20, .line_bytes = std::size_t{1} << 16, .columns = 512, .seconds = 5.0};
 
 void read_sections(const std::string& file) {
     CsvReader reader(file, limits);
@@ -60,13 +62,26 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const std::string file = "/proc/self/fd/" + std::to_string(memory);
     try {
         switch (reader) {
-            case 0: read_sections(file); break;
-            case 1: read_points(file); break;
-            case 2: read_uff(file, limits); break;
-            case 3: read_mat(file, {}, limits); break;
-            case 4: read_hdf5(file, {}, limits); break;
-            case 5: read_wav(file, {}, limits); break;
-            default: break;
+            case 0:
+                read_sections(file);
+                break;
+            case 1:
+                read_points(file);
+                break;
+            case 2:
+                read_uff(file, limits);
+                break;
+            case 3:
+                read_mat(file, {}, limits);
+                break;
+            case 4:
+                read_hdf5(file, {}, limits);
+                break;
+            case 5:
+                read_wav(file, {}, limits);
+                break;
+            default:
+                break;
         }
     } catch (const ReadError&) {
     } catch (const railpem::parameters::ParameterError&) {

@@ -40,7 +40,9 @@ TEST(Csv, DelimitersDecimalSignsAndLineEnds) {
 
 TEST(Csv, CommentsMarksAndUnits) {
     expect_read("# measured on a Tuesday\n\n% and a comment\na,b\n1.5,10\n# in between\n\n-2.25,20\n3e-3,30\n");
-    expect_read("\xEF\xBB\xBF" "a,b\n1.5,10\n-2.25,20\n3e-3,30\n");
+    expect_read(
+        "\xEF\xBB\xBF"
+        "a,b\n1.5,10\n-2.25,20\n3e-3,30\n");
     expect_read("a,b\nm/s^2,g\n1.5,10\n-2.25,20\n3e-3,30\n");
     const ScratchFolder folder;
     const DataTable table = read_csv(folder.write("a.csv", "a,b\nm/s^2,g\n1.5,10\n"));
@@ -88,7 +90,9 @@ TEST(Csv, RefusesWithLineAndProblem) {
         {"a;b\n1,5;2\n1,6;2\n3.5;4\n", 4, "decimal comma"},
         {"1,2\n3,4\n", 1, "there is no header"},
         {"a,b\n", 1, "no row of numbers"},
-        {"\xFF\xFE" "a\n1\n", 1, "UTF-16"},
+        {"\xFF\xFE"
+         "a\n1\n",
+         1, "UTF-16"},
         {long_line.c_str(), 3, "a line of more than"},
     };
     const ScratchFolder folder;
@@ -155,7 +159,8 @@ TEST(Csv, ReadsSectionsInTheMemoryOfOne) {
         std::ofstream out(folder.file("long.csv"), std::ios::binary);
         out << "a,b,c,d,e,f,g,h\n";
         std::string block;
-        for (int row = 0; row < 1000; ++row) block += "-1.23456,2.34567,3.45678,-4.56789,5.67891,6.78912,-7.89123,8.91234\n";
+        for (int row = 0; row < 1000; ++row)
+            block += "-1.23456,2.34567,3.45678,-4.56789,5.67891,6.78912,-7.89123,8.91234\n";
         for (int i = 0; i < 900; ++i) out << block;
     }
     const auto peak_kilobytes = [] {

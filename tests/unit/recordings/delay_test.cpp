@@ -24,7 +24,9 @@ std::pair<std::vector<double>, std::vector<double>> delayed_pair(double delay_s,
     for (double& x : a) x = normal(generator);
     std::vector<std::complex<double>> spectrum(transform.bins());
     transform.forward(a.data(), spectrum.data());
-    for (std::size_t k = 0; k < spectrum.size(); ++k) spectrum[k] *= std::polar(1.0, -2.0 * std::numbers::pi * static_cast<double>(k) * rate / static_cast<double>(length) * delay_s);
+    for (std::size_t k = 0; k < spectrum.size(); ++k)
+        spectrum[k] *= std::polar(
+            1.0, -2.0 * std::numbers::pi * static_cast<double>(k) * rate / static_cast<double>(length) * delay_s);
     transform.inverse(spectrum.data(), b.data());
     for (double& x : a) x += noise * normal(generator);
     for (double& x : b) x += noise * normal(generator);

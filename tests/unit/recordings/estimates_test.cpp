@@ -5,6 +5,7 @@
 #include <numeric>
 #include <random>
 
+#include "parameters/parameter_error.hpp"
 #include "recordings/confidence.hpp"
 #include "recordings/cross_spectra.hpp"
 #include "recordings/fourier_transform.hpp"
@@ -38,7 +39,8 @@ TEST(FourierTransform, AgreesWithTheSumAndInverts) {
         transform.forward(x.data(), spectrum.data());
         for (std::size_t k = 0; k < spectrum.size(); ++k) {
             std::complex<double> sum = 0.0;
-            for (std::size_t n = 0; n < length; ++n) sum += x[n] * std::polar(1.0, -2.0 * pi * static_cast<double>(k * n) / static_cast<double>(length));
+            for (std::size_t n = 0; n < length; ++n)
+                sum += x[n] * std::polar(1.0, -2.0 * pi * static_cast<double>(k * n) / static_cast<double>(length));
             EXPECT_LT(std::abs(sum - spectrum[k]), 1e-12 * static_cast<double>(length));  // rounding of the plain sum
         }
         std::vector<double> back(length);
@@ -48,9 +50,11 @@ TEST(FourierTransform, AgreesWithTheSumAndInverts) {
 }
 
 TEST(CrossSpectra, KeepTheMeanSquareOfARectangularWindow) {
-    // Parseval: without overlap and with a rectangular window the integral of the estimate is the mean square, to rounding.
+    // Parseval: without overlap and with a rectangular window the integral of the estimate is the mean square, to
+    // rounding.
     const TimeSeries series = white(8000, 2, 3);
-    const CrossSpectra spectra = estimate_cross_spectra(series, {.window = Window::rectangular, .window_s = 1.0, .overlap = 0.0, .remove_trend = false});
+    const CrossSpectra spectra = estimate_cross_spectra(
+        series, {.window = Window::rectangular, .window_s = 1.0, .overlap = 0.0, .remove_trend = false});
     for (std::size_t i = 0; i < 2; ++i) {
         double power = 0.0;
         for (std::size_t k = 0; k < spectra.bins(); ++k) power += spectra.psd(k, i);
@@ -71,18 +75,21 @@ TEST(CrossSpectra, AreHermitianPositiveAndCarryTheStatedSign) {
         EXPECT_EQ((s - s.adjoint()).norm(), 0.0);
         EXPECT_GE(s.selfadjointView<Eigen::Lower>().eigenvalues().minCoeff(), -1e-15);
         // Channel 1 is later: S_10 = X_1 X_0* has the phase −ωτ.
-        const double phase = std::remainder(std::arg(spectra.at(k, 1, 0)) + 2.0 * pi * spectra.frequency_hz[k] * 0.003, 2.0 * pi);
+        const double phase =
+            std::remainder(std::arg(spectra.at(k, 1, 0)) + 2.0 * pi * spectra.frequency_hz[k] * 0.003, 2.0 * pi);
         EXPECT_NEAR(phase, 0.0, 0.2);
     }
 }
 
 TEST(CrossSpectra, IntervalsOfTheSpectrumCoverNineOutOfTen) {
-    // 1000 records of white noise, one-sided density 2/f_s. The share of bins inside the stated interval, mean over records.
+    // 1000 records of white noise, one-sided density 2/f_s. The share of bins inside the stated interval, mean over
+    // records.
     const double truth = 2.0 / 1000.0;
     double covered = 0.0, bins = 0.0, mean = 0.0;
     Interval interval;
     for (unsigned seed = 0; seed < 1000; ++seed) {
-        const CrossSpectra spectra = estimate_cross_spectra(white(8000, 1, 10000 + seed), {.window_s = 0.5, .remove_trend = false});
+        const CrossSpectra spectra =
+            estimate_cross_spectra(white(8000, 1, 10000 + seed), {.window_s = 0.5, .remove_trend = false});
         interval = spectrum_interval(spectra.averages);
         for (std::size_t k = 4; k < spectra.bins() - 4; ++k, bins += 1.0) {
             const double estimate = spectra.psd(k, 0);
@@ -92,7 +99,8 @@ TEST(CrossSpectra, IntervalsOfTheSpectrumCoverNineOutOfTen) {
     }
     EXPECT_GE(covered / bins, 0.88);
     EXPECT_LE(covered / bins, 0.92);
-    // Unbiased: the mean of 242 000 values with about 30 averages each has a standard error of 4e-4, correlated bins included.
+    // Unbiased: the mean of 242 000 values with about 30 averages each has a standard error of 4e-4, correlated bins
+    // included.
     EXPECT_NEAR(mean / bins / truth, 1.0, 0.0016);
     RecordProperty("coverage", std::to_string(covered / bins));
 }
@@ -104,7 +112,8 @@ TEST(CrossSpectra, ScatterAsTheClosedFormOfTheirAveragesSays) {
         Segmentation segments;
         const std::size_t first = 40, count = 30;
         for (unsigned seed = 0; seed < 1500; ++seed) {
-            const CrossSpectra spectra = estimate_cross_spectra(white(2500, 1, 90000 + seed), {.window_s = 0.25, .overlap = overlap, .remove_trend = false});
+            const CrossSpectra spectra = estimate_cross_spectra(
+                white(2500, 1, 90000 + seed), {.window_s = 0.25, .overlap = overlap, .remove_trend = false});
             segments = spectra.segments;
             one.push_back(500.0 * spectra.psd(first, 0));
             next.push_back(500.0 * spectra.psd(first + 1, 0));
@@ -113,22 +122,26 @@ TEST(CrossSpectra, ScatterAsTheClosedFormOfTheirAveragesSays) {
             band.push_back(sum / static_cast<double>(count));
         }
         const auto covariance = [](const std::vector<double>& a, const std::vector<double>& b) {
-            const double ma = std::accumulate(a.begin(), a.end(), 0.0) / static_cast<double>(a.size()), mb = std::accumulate(b.begin(), b.end(), 0.0) / static_cast<double>(b.size());
+            const double ma = std::accumulate(a.begin(), a.end(), 0.0) / static_cast<double>(a.size()),
+                         mb = std::accumulate(b.begin(), b.end(), 0.0) / static_cast<double>(b.size());
             double sum = 0.0;
             for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - ma) * (b[i] - mb);
             return sum / static_cast<double>(a.size() - 1);
         };
         // A variance from 1500 values has a relative standard error of √(2/1500) = 3.7 %; four of them.
         EXPECT_NEAR(covariance(one, one) * independent_averages(segments), 1.0, 0.15) << overlap;
-        EXPECT_NEAR(covariance(band, band) * band_averages(segments, std::vector<double>(count, 1.0)), 1.0, 0.15) << overlap;
+        EXPECT_NEAR(covariance(band, band) * band_averages(segments, std::vector<double>(count, 1.0)), 1.0, 0.15)
+            << overlap;
         // A covariance of two values with variance V has the standard error V/√1500 = 2.6 %.
-        EXPECT_NEAR(covariance(one, next) * independent_averages(segments), relative_bin_covariance(segments, 1) * independent_averages(segments), 0.11) << overlap;
+        EXPECT_NEAR(covariance(one, next) * independent_averages(segments),
+                    relative_bin_covariance(segments, 1) * independent_averages(segments), 0.11)
+            << overlap;
     }
 }
 
 TEST(CrossSpectra, ExpectationIsTheModelSmoothedByTheKernel) {
-    // tr(S⁻¹Ŝ)/channels over 4–175 Hz is 1 within 3 % where S is smoothed by the window's kernel; against the unsmoothed
-    // cross-spectra of the same record, with delays as long as the window, it is off by orders of magnitude.
+    // tr(S⁻¹Ŝ)/channels over 4–175 Hz is 1 within 3 % where S is smoothed by the window's kernel; against the
+    // unsmoothed cross-spectra of the same record, with delays as long as the window, it is off by orders of magnitude.
     testing::SyntheticRecord settings{.duration_s = 90.0, .seed = 11};
     const Recording recording = testing::make_record(settings);
     for (const double window_s : {1.0, 2.0, 8.0}) {
@@ -143,12 +156,16 @@ TEST(CrossSpectra, ExpectationIsTheModelSmoothedByTheKernel) {
             vectors[i] = testing::response(static_cast<double>(i) * fine_step, settings);
             level[i] = testing::irregularity(static_cast<double>(i) * fine_step);
         }
-        const double noise = settings.noise_rms_m_per_s2 * settings.noise_rms_m_per_s2 * 2.0 / settings.sampling_rate_hz;
+        const double noise =
+            settings.noise_rms_m_per_s2 * settings.noise_rms_m_per_s2 * 2.0 / settings.sampling_rate_hz;
         std::vector<Eigen::MatrixXcd> expected(spectra.bins(), Eigen::MatrixXcd::Zero(9, 9)), plain = expected;
         for (Eigen::Index i = 0; i < 9; ++i)
             for (Eigen::Index j = 0; j <= i; ++j) {
                 std::vector<testing::Complex> fine(fine_count);
-                for (std::size_t k = 0; k < fine_count; ++k) fine[k] = level[k] * vectors[k][static_cast<std::size_t>(i)] * std::conj(vectors[k][static_cast<std::size_t>(j)]) + (i == j ? noise : 0.0);
+                for (std::size_t k = 0; k < fine_count; ++k)
+                    fine[k] = level[k] * vectors[k][static_cast<std::size_t>(i)] *
+                                  std::conj(vectors[k][static_cast<std::size_t>(j)]) +
+                              (i == j ? noise : 0.0);
                 const auto smooth = expected_estimate(kernel, oversampling, fine);
                 for (std::size_t k = 0; k < spectra.bins(); ++k) {
                     expected[k](i, j) = smooth[k];
@@ -170,6 +187,55 @@ TEST(CrossSpectra, ExpectationIsTheModelSmoothedByTheKernel) {
     }
 }
 
+TEST(CrossSpectra, OfSectionsMergeToThoseOfTheWhole) {
+    const TimeSeries series = white(8000, 2, 6);
+    const SegmentOptions options{.window_s = 0.5, .overlap = 0.0, .remove_trend = false};
+    SegmentOptions first = options, second = options;
+    first.to_s = 4.0;
+    second.from_s = 4.0;
+    const CrossSpectra whole = estimate_cross_spectra(series, options);
+    const CrossSpectra joined = merged({estimate_cross_spectra(series, first), estimate_cross_spectra(series, second)});
+    ASSERT_EQ(joined.segments.count, whole.segments.count);
+    EXPECT_DOUBLE_EQ(joined.averages, whole.averages);
+    for (std::size_t i = 0; i < whole.matrices.size(); ++i)
+        EXPECT_LT(std::abs(joined.matrices[i] - whole.matrices[i]), 1e-15);
+}
+
+TEST(CrossSpectra, LeaveOutWindowsWithMissingSamples) {
+    TimeSeries series = white(8000, 2, 7);
+    series.channels[1].samples[2100] = std::nan("");
+    const CrossSpectra spectra = estimate_cross_spectra(series, {.window_s = 0.5});
+    EXPECT_EQ(spectra.segments_skipped, 2U);
+    EXPECT_EQ(spectra.segments.count, 29U);
+    for (const auto& value : spectra.matrices) EXPECT_TRUE(std::isfinite(value.real()));
+    std::fill(series.channels[0].samples.begin(), series.channels[0].samples.end(), std::nan(""));
+    EXPECT_THROW(estimate_cross_spectra(series, {.window_s = 0.5}), parameters::ParameterError);
+    EXPECT_THROW(estimate_cross_spectra(series, {.window_s = 9.0}), parameters::ParameterError);
+}
+
+TEST(CrossSpectra, DisplacementAndVelocityBecomeAcceleration) {
+    // One motion measured three ways: after conversion all entries of the matrix agree.
+    const double f = 20.0, omega = 2.0 * pi * f;
+    TimeSeries series;
+    series.sampling_rate_hz = 500.0;
+    series.channels = {{{.name = "a", .quantity = ChannelQuantity::acceleration}, {}},
+                       {{.name = "v", .quantity = ChannelQuantity::velocity}, {}},
+                       {{.name = "d", .quantity = ChannelQuantity::displacement}, {}}};
+    for (int n = 0; n < 5000; ++n) {
+        const double t = n / 500.0;
+        series.channels[0].samples.push_back(-omega * omega * std::sin(omega * t));
+        series.channels[1].samples.push_back(omega * std::cos(omega * t));
+        series.channels[2].samples.push_back(std::sin(omega * t));
+    }
+    const CrossSpectra spectra =
+        to_acceleration(estimate_cross_spectra(series, {.window_s = 1.0, .remove_trend = false}));
+    const std::complex<double> reference = spectra.at(20, 0, 0);
+    for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = 0; j < 3; ++j)
+            EXPECT_LT(std::abs(spectra.at(20, i, j) / reference - 1.0), 1e-9);  // a whole number of periods: no leakage
+    EXPECT_EQ(spectra.channels[2].quantity, ChannelQuantity::acceleration);
+}
+
 TEST(WindowKernel, HasUnitAreaAndMatchesTheWindowsTransform) {
     for (const Window window : {Window::rectangular, Window::hann, Window::hamming, Window::blackman_harris}) {
         const WindowKernel kernel{window, 64, 100.0};
@@ -178,7 +244,8 @@ TEST(WindowKernel, HasUnitAreaAndMatchesTheWindowsTransform) {
         for (int i = 0; i < 256; ++i) {
             const double nu = 100.0 * i / 256.0 - 50.0;
             std::complex<double> sum = 0.0;
-            for (std::size_t n = 0; n < 64; ++n) sum += w[n] * std::polar(1.0, -2.0 * pi * nu * static_cast<double>(n) / 100.0);
+            for (std::size_t n = 0; n < 64; ++n)
+                sum += w[n] * std::polar(1.0, -2.0 * pi * nu * static_cast<double>(n) / 100.0);
             EXPECT_NEAR(kernel(nu), std::norm(sum) / (100.0 * energy), 1e-12);
             area += kernel(nu) * 100.0 / 256.0;
         }
@@ -196,7 +263,9 @@ TEST(WindowKernel, TwoWaysOfSmoothingAgree) {
     }
     const auto direct = smoothed_by_kernel(kernel_weights(kernel, oversampling), fine, 0, 200);
     const auto exact = expected_estimate(kernel, oversampling, fine);
-    for (std::size_t k = 1; k < 190; ++k) EXPECT_LT(std::abs(direct[k] - exact[k]), 1e-6) << k;  // area of the kernel beyond 8 bins: 1e-8, times the reach
+    for (std::size_t k = 1; k < 190; ++k)
+        EXPECT_LT(std::abs(direct[k] - exact[k]), 1e-6)
+            << k;  // area of the kernel beyond 8 bins: 1e-8, times the reach
 }
 
 TEST(SlepianTapers, AreOrthonormalAndConcentrated) {
@@ -207,7 +276,8 @@ TEST(SlepianTapers, AreOrthonormalAndConcentrated) {
     const double leaked[] = {3e-10, 3e-8, 1.2e-6, 2.5e-5, 3.6e-4, 3.6e-3, 2.4e-2};
     for (std::size_t k = 0; k < tapers.size(); ++k) {
         for (std::size_t j = 0; j < tapers.size(); ++j)
-            EXPECT_NEAR(std::inner_product(tapers[k].begin(), tapers[k].end(), tapers[j].begin(), 0.0), k == j ? 1.0 : 0.0, 1e-9);
+            EXPECT_NEAR(std::inner_product(tapers[k].begin(), tapers[k].end(), tapers[j].begin(), 0.0),
+                        k == j ? 1.0 : 0.0, 1e-9);
         std::vector<double> padded(transform.length(), 0.0);
         std::copy(tapers[k].begin(), tapers[k].end(), padded.begin());
         std::vector<std::complex<double>> spectrum(transform.bins());
@@ -240,7 +310,8 @@ TEST(SpectralLines, PowerWithinOnePercentAndNothingElse) {
         power_a += lines[0].mean_square / trials;
         power_b += lines[1].mean_square / trials;
         const auto rest = without_lines(x, rate, lines);
-        for (const SpectralLine& line : lines) EXPECT_LT(line_at(rest, rate, line.frequency_hz).mean_square, 0.01 * line.mean_square);
+        for (const SpectralLine& line : lines)
+            EXPECT_LT(line_at(rest, rate, line.frequency_hz).mean_square, 0.01 * line.mean_square);
     }
     EXPECT_NEAR(power_a / 0.5, 1.0, 0.01);
     EXPECT_NEAR(power_b / 0.125, 1.0, 0.01);
@@ -248,7 +319,8 @@ TEST(SpectralLines, PowerWithinOnePercentAndNothingElse) {
 
 TEST(SpectralLines, AreNotFoundInNoise) {
     int found = 0;
-    for (unsigned seed = 0; seed < 40; ++seed) found += static_cast<int>(find_lines(white(30000, 1, 700 + seed).channels[0].samples, 1000.0).size());
+    for (unsigned seed = 0; seed < 40; ++seed)
+        found += static_cast<int>(find_lines(white(30000, 1, 700 + seed).channels[0].samples, 1000.0).size());
     EXPECT_LE(found, 1);  // 40 searches at 1e-4 each: 0.004 expected
 }
 
@@ -257,7 +329,8 @@ TEST(Coherence, LimitIsExceededAsOftenAsStated) {
     for (unsigned seed = 0; seed < 200; ++seed) {
         const CrossSpectra spectra = estimate_cross_spectra(white(8000, 2, 5000 + seed), {.window_s = 0.5});
         const double limit = coherence_limit(spectra.averages, 0.05);
-        for (std::size_t k = 4; k < spectra.bins() - 4; ++k, bins += 1.0) exceeded += spectra.coherence(k, 0, 1) > limit ? 1.0 : 0.0;
+        for (std::size_t k = 4; k < spectra.bins() - 4; ++k, bins += 1.0)
+            exceeded += spectra.coherence(k, 0, 1) > limit ? 1.0 : 0.0;
     }
     EXPECT_NEAR(exceeded / bins, 0.05, 0.006);
 }

@@ -1,4 +1,5 @@
-// Every fault planted at a stated size is found, in the right channel, and nothing else is claimed that is not a consequence of it.
+// Every fault planted at a stated size is found, in the right channel, and nothing else is claimed that is not a
+// consequence of it.
 
 #include <gtest/gtest.h>
 
@@ -66,7 +67,9 @@ void delay(std::vector<double>& x, double seconds, double rate) {
     const FourierTransform transform(x.size());
     std::vector<std::complex<double>> spectrum(transform.bins());
     transform.forward(x.data(), spectrum.data());
-    for (std::size_t k = 0; k < spectrum.size(); ++k) spectrum[k] *= std::polar(1.0, -2.0 * std::numbers::pi * static_cast<double>(k) * rate / static_cast<double>(x.size()) * seconds);
+    for (std::size_t k = 0; k < spectrum.size(); ++k)
+        spectrum[k] *= std::polar(
+            1.0, -2.0 * std::numbers::pi * static_cast<double>(k) * rate / static_cast<double>(x.size()) * seconds);
     transform.inverse(spectrum.data(), x.data());
 }
 
@@ -75,8 +78,8 @@ TEST(Faults, ASoundRecordHasNone) {
     for (const Fault& fault : report.faults) ADD_FAILURE() << fault_name(fault.kind) << ": " << fault.says;
     EXPECT_EQ(verdict_of(report), "No fault was found.");
     EXPECT_NEAR(report.speed_m_per_s / settings().speed_m_per_s, 1.0, 0.002);
-    // The noise that was put in bounds what the channels do not share from below. Axle boxes share less than all, because the
-    // windows of 2 s do not hold all of a delay of 0.9 s; bogies and body come close.
+    // The noise that was put in bounds what the channels do not share from below. Axle boxes share less than all,
+    // because the windows of 2 s do not hold all of a delay of 0.9 s; bogies and body come close.
     const double noise = 0.02 * std::sqrt((0.4 * 500.0 - 4.0) / 250.0);  // of white noise in the band of noise_rms
     for (const ChannelInspection& channel : report.channels) {
         EXPECT_GT(channel.noise_rms, 0.9 * noise) << channel.description.name;
@@ -197,7 +200,8 @@ TEST(Faults, InvertedBogie) {
     const auto faults = found(recording, FaultKind::inverted);
     ASSERT_FALSE(faults.empty());
     // By the delay one of the two bogies, by its wheels bogie 2.
-    EXPECT_TRUE(std::any_of(faults.begin(), faults.end(), [](const Fault& f) { return f.channels == std::vector<std::string>{"bogie_2"}; }));
+    EXPECT_TRUE(std::any_of(faults.begin(), faults.end(),
+                            [](const Fault& f) { return f.channels == std::vector<std::string>{"bogie_2"}; }));
 }
 
 TEST(Faults, InvertedBodyEnd) {
@@ -207,7 +211,8 @@ TEST(Faults, InvertedBodyEnd) {
 }
 
 TEST(Faults, SwappedAxleBoxes) {
-    for (const auto& [a, b] : {std::pair("axlebox_1", "axlebox_2"), std::pair("axlebox_2", "axlebox_4"), std::pair("axlebox_2", "axlebox_3")}) {
+    for (const auto& [a, b] : {std::pair("axlebox_1", "axlebox_2"), std::pair("axlebox_2", "axlebox_4"),
+                               std::pair("axlebox_2", "axlebox_3")}) {
         Recording recording = sound();
         std::swap(samples(recording, a), samples(recording, b));
         const auto faults = found(recording, FaultKind::swapped);
@@ -250,7 +255,8 @@ TEST(Faults, UnitAgainstAPrediction) {
         for (double f = 0.5; f < 220.0; f += 0.25) {
             predicted.frequency_hz.push_back(f);
             // A believed case is off: 3 dB here.
-            predicted.psd.push_back(2.0 * testing::irregularity(f) * std::norm(testing::response(f, settings())[i]) + 1e-30);
+            predicted.psd.push_back(2.0 * testing::irregularity(f) * std::norm(testing::response(f, settings())[i]) +
+                                    1e-30);
         }
         c.predicted.push_back(predicted);
     }
@@ -268,7 +274,8 @@ TEST(Faults, UnitAgainstAPrediction) {
 TEST(Faults, MainsHum) {
     Recording recording = sound();
     auto& x = samples(recording, "body_centre");
-    for (std::size_t n = 0; n < x.size(); ++n) x[n] += 0.02 * std::sin(2.0 * std::numbers::pi * 50.01 * static_cast<double>(n) / 500.0 + 1.0);
+    for (std::size_t n = 0; n < x.size(); ++n)
+        x[n] += 0.02 * std::sin(2.0 * std::numbers::pi * 50.01 * static_cast<double>(n) / 500.0 + 1.0);
     const auto faults = found(recording, FaultKind::mains_hum);
     ASSERT_NO_FATAL_FAILURE(expect_only(faults, "body_centre"));
     EXPECT_NEAR(faults[0].value, 0.02 / std::sqrt(2.0), 0.001);
@@ -288,7 +295,8 @@ TEST(Faults, AliasingAfterDecimationWithoutAFilter) {
     const auto faults = found(recording, FaultKind::aliasing);
     ASSERT_GE(faults.size(), 4U);
     for (const char* name : {"axlebox_1", "axlebox_2", "axlebox_3", "axlebox_4"})
-        EXPECT_TRUE(std::any_of(faults.begin(), faults.end(), [&](const Fault& f) { return f.channels[0] == name; })) << name;
+        EXPECT_TRUE(std::any_of(faults.begin(), faults.end(), [&](const Fault& f) { return f.channels[0] == name; }))
+            << name;
 }
 
 std::vector<double> clock(const Recording& recording, double scatter_s, double digits) {
@@ -296,7 +304,8 @@ std::vector<double> clock(const Recording& recording, double scatter_s, double d
     std::normal_distribution<double> normal(0.0, scatter_s);
     std::vector<double> time;
     for (std::size_t n = 0; n < recording.series.size(); ++n) {
-        const double t = static_cast<double>(n) / recording.series.sampling_rate_hz + (scatter_s > 0.0 ? normal(generator) : 0.0);
+        const double t =
+            static_cast<double>(n) / recording.series.sampling_rate_hz + (scatter_s > 0.0 ? normal(generator) : 0.0);
         time.push_back(digits > 0.0 ? digits * std::round(t / digits) : t);
     }
     return time;
@@ -327,7 +336,8 @@ TEST(Faults, GapInTimeAndWrongRate) {
 }
 
 TEST(Faults, TimingSkewIsToldFromTheWheelbaseDelay) {
-    for (const auto& [name, skew] : {std::pair("axlebox_2", 0.003), std::pair("axlebox_3", -0.0015), std::pair("axlebox_4", 0.001)}) {
+    for (const auto& [name, skew] :
+         {std::pair("axlebox_2", 0.003), std::pair("axlebox_3", -0.0015), std::pair("axlebox_4", 0.001)}) {
         Recording recording = sound();
         delay(samples(recording, name), skew, 500.0);
         const auto faults = found(recording, FaultKind::timing_skew);
@@ -335,7 +345,8 @@ TEST(Faults, TimingSkewIsToldFromTheWheelbaseDelay) {
         EXPECT_NEAR(faults[0].value, skew, 2e-4) << faults[0].says;
     }
     // Another speed is no skew.
-    Recording faster = testing::make_record({.duration_s = 24.0, .sampling_rate_hz = 500.0, .speed_m_per_s = 40.0, .seed = 9});
+    Recording faster =
+        testing::make_record({.duration_s = 24.0, .sampling_rate_hz = 500.0, .speed_m_per_s = 40.0, .seed = 9});
     faster.description.speed_m_per_s = 40.0;
     EXPECT_TRUE(found(faster, FaultKind::timing_skew).empty());
 }
@@ -350,7 +361,9 @@ TEST(Faults, SkewBetweenTheSidesOfAnAxle) {
     recording.series.channels.push_back(other);
     const auto faults = found(recording, FaultKind::timing_skew);
     ASSERT_FALSE(faults.empty());
-    EXPECT_TRUE(std::any_of(faults.begin(), faults.end(), [](const Fault& f) { return f.channels[0] == "axlebox_1_right" && std::abs(f.value - 0.002) < 2e-4; }));
+    EXPECT_TRUE(std::any_of(faults.begin(), faults.end(), [](const Fault& f) {
+        return f.channels[0] == "axlebox_1_right" && std::abs(f.value - 0.002) < 2e-4;
+    }));
 }
 
 TEST(Faults, LevelThatChangesAlongTheRecord) {
@@ -364,10 +377,15 @@ TEST(Faults, LevelThatChangesAlongTheRecord) {
 
 TEST(Faults, SpeedThatChanges) {
     // 20 m/s, then 21 m/s.
-    const Recording slow = testing::make_record({.duration_s = 24.0, .sampling_rate_hz = 500.0, .speed_m_per_s = 20.0, .seed = 12});
-    const Recording fast = testing::make_record({.duration_s = 24.0, .sampling_rate_hz = 500.0, .speed_m_per_s = 21.0, .seed = 13});
+    const Recording slow =
+        testing::make_record({.duration_s = 24.0, .sampling_rate_hz = 500.0, .speed_m_per_s = 20.0, .seed = 12});
+    const Recording fast =
+        testing::make_record({.duration_s = 24.0, .sampling_rate_hz = 500.0, .speed_m_per_s = 21.0, .seed = 13});
     Recording recording = slow;
-    for (std::size_t i = 0; i < 9; ++i) recording.series.channels[i].samples.insert(recording.series.channels[i].samples.end(), fast.series.channels[i].samples.begin(), fast.series.channels[i].samples.end());
+    for (std::size_t i = 0; i < 9; ++i)
+        recording.series.channels[i].samples.insert(recording.series.channels[i].samples.end(),
+                                                    fast.series.channels[i].samples.begin(),
+                                                    fast.series.channels[i].samples.end());
     const auto faults = found(recording, FaultKind::speed_changes);
     ASSERT_EQ(faults.size(), 1U);
     EXPECT_NEAR(faults[0].value, 0.05, 0.015);
@@ -398,7 +416,8 @@ TEST(Faults, Impacts) {
     auto& x = samples(recording, "axlebox_1");
     const double size = 6.0 * rms(x);
     for (const std::size_t at : {3000U, 6000U, 9000U})  // 6 ms half sine: a joint
-        for (std::size_t n = 0; n < 3; ++n) x[at + n] += size * std::sin(std::numbers::pi * (static_cast<double>(n) + 0.5) / 3.0);
+        for (std::size_t n = 0; n < 3; ++n)
+            x[at + n] += size * std::sin(std::numbers::pi * (static_cast<double>(n) + 0.5) / 3.0);
     const auto faults = found(recording, FaultKind::impacts);
     ASSERT_NO_FATAL_FAILURE(expect_only(faults, "axlebox_1"));
     EXPECT_EQ(faults[0].value, 3.0);
@@ -406,7 +425,8 @@ TEST(Faults, Impacts) {
 
 TEST(Faults, MileageThatIsShort) {
     Recording recording = sound();
-    for (std::size_t n = 0; n < recording.series.size(); ++n) recording.series.mileage_m.push_back(2000.0 + 0.96 * settings().speed_m_per_s * static_cast<double>(n) / 500.0);
+    for (std::size_t n = 0; n < recording.series.size(); ++n)
+        recording.series.mileage_m.push_back(2000.0 + 0.96 * settings().speed_m_per_s * static_cast<double>(n) / 500.0);
     const auto faults = found(recording, FaultKind::mileage);
     ASSERT_EQ(faults.size(), 2U);  // one constant step, and 4 % short
     EXPECT_NEAR(faults[0].value, -0.04, 0.002);

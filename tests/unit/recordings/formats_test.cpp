@@ -41,7 +41,8 @@ void write_mat(const std::string& file, mat_ft version, matio_compression compre
     const char* fields[] = {"bogie"};
     std::size_t one[] = {1, 1};
     matvar_t* run = Mat_VarCreateStruct("run", 2, one, fields, 1);
-    Mat_VarSetStructFieldByName(run, "bogie", 0, Mat_VarCreate(nullptr, MAT_C_DOUBLE, MAT_T_DOUBLE, 2, column, a.data(), 0));
+    Mat_VarSetStructFieldByName(run, "bogie", 0,
+                                Mat_VarCreate(nullptr, MAT_C_DOUBLE, MAT_T_DOUBLE, 2, column, a.data(), 0));
     Mat_VarWrite(mat, run, compression);
     Mat_VarFree(run);
     Mat_Close(mat);
@@ -49,7 +50,9 @@ void write_mat(const std::string& file, mat_ft version, matio_compression compre
 
 TEST(Mat, VectorsColumnsAndFieldsOfAllVersions) {
     const ScratchFolder folder;
-    for (const auto& [version, compression] : {std::pair(MAT_FT_MAT5, MAT_COMPRESSION_NONE), std::pair(MAT_FT_MAT5, MAT_COMPRESSION_ZLIB), std::pair(MAT_FT_MAT73, MAT_COMPRESSION_NONE)}) {
+    for (const auto& [version, compression] :
+         {std::pair(MAT_FT_MAT5, MAT_COMPRESSION_NONE), std::pair(MAT_FT_MAT5, MAT_COMPRESSION_ZLIB),
+          std::pair(MAT_FT_MAT73, MAT_COMPRESSION_NONE)}) {
         write_mat(folder.file("a.mat"), version, compression);
         const DataTable table = read_mat(folder.file("a.mat"), {"run.bogie", "axlebox_1"});
         EXPECT_EQ(table.columns[1], wave(50, 0.1));
@@ -64,7 +67,8 @@ TEST(Mat, VectorsColumnsAndFieldsOfAllVersions) {
 TEST(Mat, Refusals) {
     const ScratchFolder folder;
     write_mat(folder.file("a.mat"), MAT_FT_MAT5, MAT_COMPRESSION_ZLIB);
-    for (const char* wanted : {"axlebox_2", "data", "data:3"}) EXPECT_THROW(read_mat(folder.file("a.mat"), {wanted}), ReadError) << wanted;
+    for (const char* wanted : {"axlebox_2", "data", "data:3"})
+        EXPECT_THROW(read_mat(folder.file("a.mat"), {wanted}), ReadError) << wanted;
     EXPECT_THROW(read_mat(folder.file("a.mat"), {"axlebox_1", "data:1"}), ReadError);  // 50 and 25 samples
     const auto size = std::filesystem::file_size(folder.file("a.mat"));
     for (std::uintmax_t left = size - 1; left > 0; left = left * 2 / 3) {
@@ -82,7 +86,8 @@ void write_hdf5(const std::string& file) {
     const auto a = wave(60, 0.2);
     const hsize_t vector[] = {60}, matrix[] = {30, 2};
     const hid_t group = H5Gcreate2(root, "run", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
-    const hid_t space1 = H5Screate_simple(1, vector, nullptr), space2 = H5Screate_simple(2, matrix, nullptr), scalar = H5Screate(H5S_SCALAR);
+    const hid_t space1 = H5Screate_simple(1, vector, nullptr), space2 = H5Screate_simple(2, matrix, nullptr),
+                scalar = H5Screate(H5S_SCALAR);
     const hid_t d1 = H5Dcreate2(group, "axlebox", H5T_NATIVE_DOUBLE, space1, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
     H5Dwrite(d1, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, a.data());
     const hid_t d2 = H5Dcreate2(root, "data", H5T_IEEE_F64BE, space2, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
@@ -228,7 +233,8 @@ TEST(Units, FactorsAndRefusals) {
 RecordingDescription simple_description(const std::string& data) {
     RecordingDescription d;
     d.data = data;
-    d.channels = {{.name = "axlebox_1", .column = "a", .unit = "g", .location = Location::wheel, .index = 1}, {.name = "speed", .column = "v", .quantity = ChannelQuantity::speed, .unit = "km/h"}};
+    d.channels = {{.name = "axlebox_1", .column = "a", .unit = "g", .location = Location::wheel, .index = 1},
+                  {.name = "speed", .column = "v", .quantity = ChannelQuantity::speed, .unit = "km/h"}};
     return d;
 }
 
@@ -359,9 +365,12 @@ TEST(DamagedFiles, EveryReaderRefusesOrReads) {
         ++files;
         const std::string file = entry.path().string();
         const ReadLimits limits{.memory_bytes = std::size_t{64} << 20, .seconds = 20.0};
-        for (const auto& reader : {+[](const std::string& f, const ReadLimits& l) { read_csv(f, {}, l); }, +[](const std::string& f, const ReadLimits& l) { read_csv_text(f, l); },
-                                   +[](const std::string& f, const ReadLimits& l) { read_uff(f, l); }, +[](const std::string& f, const ReadLimits& l) { read_mat(f, {}, l); },
-                                   +[](const std::string& f, const ReadLimits& l) { read_hdf5(f, {}, l); }, +[](const std::string& f, const ReadLimits& l) { read_wav(f, {}, l); }}) {
+        for (const auto& reader : {+[](const std::string&f, const ReadLimits&l) { read_csv(f, {}, l); },
+                                   +[](const std::string&f, const ReadLimits&l) { read_csv_text(f, l); },
+                                   +[](const std::string&f, const ReadLimits&l) { read_uff(f, l); },
+                                   +[](const std::string&f, const ReadLimits&l) { read_mat(f, {}, l); },
+                                   +[](const std::string&f, const ReadLimits&l) { read_hdf5(f, {}, l); },
+                                   +[](const std::string&f, const ReadLimits&l) { read_wav(f, {}, l); }}) {
             try {
                 reader(file, limits);
             } catch (const ReadError& error) {

@@ -25,7 +25,8 @@ const InspectionReport& report() {
         Recording recording = testing::make_record({.duration_s = 24.0, .sampling_rate_hz = 500.0, .seed = 21});
         recording.description.title = "A </script><b> title & more";
         auto& x = recording.series.channels[0].samples;
-        for (std::size_t n = 0; n < x.size(); ++n) x[n] += 1.5 * std::sin(2.0 * std::numbers::pi * (22.2222 / 0.6) * static_cast<double>(n) / 500.0);
+        for (std::size_t n = 0; n < x.size(); ++n)
+            x[n] += 1.5 * std::sin(2.0 * std::numbers::pi * (22.2222 / 0.6) * static_cast<double>(n) / 500.0);
         x[100] = std::nan("");
         return inspect(recording, context);
     }();
@@ -35,10 +36,13 @@ const InspectionReport& report() {
 TEST(Inspection, TextFitsAScreenAndSaysWhatMatters) {
     const std::string text = to_text(report());
     std::size_t lines = 0, at = 0, longest = 0;
-    for (std::size_t end; (end = text.find('\n', at)) != std::string::npos; at = end + 1, ++lines) longest = std::max(longest, end - at);
+    for (std::size_t end; (end = text.find('\n', at)) != std::string::npos; at = end + 1, ++lines)
+        longest = std::max(longest, end - at);
     EXPECT_LE(lines, 50U);
     EXPECT_LE(longest, 110U);  // 100 columns; a letter of UTF-8 may take three bytes
-    for (const char* words : {"9 channels at 500 Hz", "missing-samples", "22.22", "independent averages", "sleeper passing", "Not checked", "axlebox_1"}) EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;
+    for (const char* words : {"9 channels at 500 Hz", "missing-samples", "22.22", "independent averages",
+                              "sleeper passing", "Not checked", "axlebox_1"})
+        EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;
 }
 
 TEST(Inspection, JsonHoldsTheReport) {
@@ -61,7 +65,8 @@ TEST(Inspection, PageIsWholeAndHarmless) {
     EXPECT_EQ(page.find("src=\"http"), std::string::npos);  // needs nothing beside it
     EXPECT_EQ(page.find("href=\"http"), std::string::npos);
     EXPECT_NE(page.find("Chart.js v"), std::string::npos);
-    for (const char* id : {"spectra_acceleration", "coherence", "data:image/png;base64,", "prefers-color-scheme: dark"}) EXPECT_NE(page.find(id), std::string::npos) << id;
+    for (const char* id : {"spectra_acceleration", "coherence", "data:image/png;base64,", "prefers-color-scheme: dark"})
+        EXPECT_NE(page.find(id), std::string::npos) << id;
     // The data of the charts is JSON again.
     const std::size_t begin = page.find("id=\"report\">") + 12, end = page.find("</script>", begin);
     EXPECT_TRUE(nlohmann::json::accept(page.substr(begin, end - begin)));
@@ -140,7 +145,8 @@ TEST(OrderTrack, FollowsTheWheelThroughAChangeOfSpeed) {
 TEST(WheelOrders, RotationFromItsMultiples) {
     const auto line = [](double f) { return SpectralLine{.frequency_hz = f, .frequency_error_hz = 0.002}; };
     // Orders 12, 16, 18, 19, 21 of 6.5444 Hz and two strangers.
-    const std::vector<std::vector<SpectralLine>> lines = {{line(78.533), line(104.71), line(117.80), line(60.0)}, {line(124.344), line(137.432), line(104.712), line(91.1)}};
+    const std::vector<std::vector<SpectralLine>> lines = {{line(78.533), line(104.71), line(117.80), line(60.0)},
+                                                          {line(124.344), line(137.432), line(104.712), line(91.1)}};
     const auto found = wheel_orders_of(lines, 18.61);
     ASSERT_TRUE(found.has_value());
     EXPECT_NEAR(found->rotation_hz, 6.5444, 0.001);

@@ -1,4 +1,5 @@
-// Public measured data, kept outside the project: the environment variable RAILPEM_RECORDINGS names the folder. Skipped without it.
+// Public measured data, kept outside the project: the environment variable RAILPEM_RECORDINGS names the folder. Skipped
+// without it.
 
 #include <gtest/gtest.h>
 
@@ -30,23 +31,37 @@ RecordingDescription axlebox(const std::string& data) {
     RecordingDescription d;
     d.data = data;
     d.sampling_rate_hz = 2000.0;
-    d.channels = {{.name = "left", .unit = "m/s^2", .scale = Scale::unknown, .location = Location::wheel, .index = 1, .side = Side::left},
-                  {.name = "right", .unit = "m/s^2", .scale = Scale::unknown, .location = Location::wheel, .index = 1, .side = Side::right},
+    d.channels = {{.name = "left",
+                   .unit = "m/s^2",
+                   .scale = Scale::unknown,
+                   .location = Location::wheel,
+                   .index = 1,
+                   .side = Side::left},
+                  {.name = "right",
+                   .unit = "m/s^2",
+                   .scale = Scale::unknown,
+                   .location = Location::wheel,
+                   .index = 1,
+                   .side = Side::right},
                   {.name = "speed", .column = "speed_kmh", .quantity = ChannelQuantity::speed, .unit = "km/h"},
                   {.name = "mileage", .column = "km", .quantity = ChannelQuantity::mileage, .unit = "km"}};
     return d;
 }
 
-const Fault* find(const InspectionReport& report, FaultKind kind, const std::string& channel, const std::string& words = "") {
+const Fault* find(const InspectionReport& report, FaultKind kind, const std::string& channel,
+                  const std::string& words = "") {
     for (const Fault& fault : report.faults)
-        if (fault.kind == kind && (channel.empty() || (!fault.channels.empty() && fault.channels[0] == channel)) && fault.says.find(words) != std::string::npos) return &fault;
+        if (fault.kind == kind && (channel.empty() || (!fault.channels.empty() && fault.channels[0] == channel)) &&
+            fault.says.find(words) != std::string::npos)
+            return &fault;
     return nullptr;
 }
 
 TEST(MeasuredAxleBox, KnownDefectsAreReported) {
     const fs::path folder = measured("axlebox-two-kilometres");
     if (folder.empty()) GTEST_SKIP() << "RAILPEM_RECORDINGS is not set";
-    const InspectionReport km1 = inspect_file(axlebox("km1.csv"), folder), km2 = inspect_file(axlebox("km2.csv"), folder);
+    const InspectionReport km1 = inspect_file(axlebox("km1.csv"), folder),
+                           km2 = inspect_file(axlebox("km2.csv"), folder);
     for (const InspectionReport* report : {&km1, &km2}) {
         EXPECT_NEAR(report->duration_s, 33.0, 1e-9);
         // Offsets of about 1.1 and 0.7, as the data's own description says.
@@ -73,13 +88,16 @@ TEST(MeasuredDecayRates, OneCampaignReadsAsADecayRateRecording) {
     const fs::path folder = measured("sbb-niederwangen");
     if (folder.empty()) GTEST_SKIP() << "RAILPEM_RECORDINGS is not set";
     const auto rows = read_csv_text((folder / "track_decay_rate.csv").string());
-    const auto at = [&](const std::string& name) { return static_cast<std::size_t>(std::find(rows[0].begin(), rows[0].end(), name) - rows[0].begin()); };
+    const auto at = [&](const std::string& name) {
+        return static_cast<std::size_t>(std::find(rows[0].begin(), rows[0].end(), name) - rows[0].begin());
+    };
     DataTable table;
     table.names = {"centre_hz", "decay_rate_db_per_m"};
     table.columns.resize(2);
     std::string campaign;  // the first one of this rail and direction
     for (const auto& row : rows)
-        if ((campaign.empty() || row[at("tdr_id")] == campaign) && row[at("sec")] == "B3" && row[at("damp")] == "FALSE" && row[at("rail")] == "li" && row[at("dir")] == "v") {
+        if ((campaign.empty() || row[at("tdr_id")] == campaign) && row[at("sec")] == "B3" &&
+            row[at("damp")] == "FALSE" && row[at("rail")] == "li" && row[at("dir")] == "v") {
             campaign = row[at("tdr_id")];
             table.columns[0].push_back(std::stod(row[at("freq")]));
             table.columns[1].push_back(std::stod(row[at("tdr")]));
@@ -127,7 +145,9 @@ TEST(MeasuredBeam, AccelerancesReadAsReceptanceWithTheBeamsPeaks) {
         for (const double f : {52.0, 142.0, 279.0, 460.0, 687.0}) {
             std::size_t peak = static_cast<std::size_t>(f) - 1 - 8;
             for (std::size_t k = peak; k < static_cast<std::size_t>(f) + 8; ++k)
-                if (std::abs(recording.receptance.value_m_per_n[k]) > std::abs(recording.receptance.value_m_per_n[peak])) peak = k;
+                if (std::abs(recording.receptance.value_m_per_n[k]) >
+                    std::abs(recording.receptance.value_m_per_n[peak]))
+                    peak = k;
             EXPECT_NEAR(recording.receptance.frequency_hz[peak], f, 1.0) << name;
         }
         EXPECT_NE(to_html(inspect(recording)).find("id=\"receptance\""), std::string::npos);

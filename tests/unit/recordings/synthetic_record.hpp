@@ -1,6 +1,7 @@
 #pragma once
-// Records with a known answer, made linearly in the frequency domain: a coloured irregularity met by four wheels one after the
-// other, carried into bogies and body by the transfer functions of oscillators, with sensor noise. Exact delays of any size.
+// Records with a known answer, made linearly in the frequency domain: a coloured irregularity met by four wheels one
+// after the other, carried into bogies and body by the transfer functions of oscillators, with sensor noise. Exact
+// delays of any size.
 
 #include <array>
 #include <complex>
@@ -22,7 +23,9 @@ struct SyntheticRecord {
     unsigned seed = 1;
 };
 
-inline VehicleGeometry geometry() { return {{10.2, 7.8, -7.8, -10.2}, {9.0, -9.0}}; }
+inline VehicleGeometry geometry() {
+    return {{10.2, 7.8, -7.8, -10.2}, {9.0, -9.0}};
+}
 
 using Complex = std::complex<double>;
 
@@ -33,7 +36,9 @@ inline Complex foot_transfer(double f, double f0, double zeta) {
 }
 
 /// Displacement spectrum of the irregularity, m²/Hz, one-sided: FRA-like fall with f³, nothing below 0.3 Hz.
-inline double irregularity(double f) { return f < 0.3 ? 0.0 : 2e-6 / (f * f * (1.0 + std::pow(f / 2.0, 1.2))); }
+inline double irregularity(double f) {
+    return f < 0.3 ? 0.0 : 2e-6 / (f * f * (1.0 + std::pow(f / 2.0, 1.2)));
+}
 
 /// What wheel i sees of the irregularity under wheel j of its own bogie (i = j or its neighbour).
 inline Complex wheel_transfer(double f, bool own, double coupling) {
@@ -47,9 +52,11 @@ inline std::array<Complex, 9> response(double f, const SyntheticRecord& record) 
     const VehicleGeometry g = geometry();
     const double omega = 2.0 * std::numbers::pi * f;
     std::array<Complex, 4> input, wheel;
-    for (std::size_t j = 0; j < 4; ++j) input[j] = std::polar(1.0, -omega * (g.wheels_m[0] - g.wheels_m[j]) / record.speed_m_per_s);
     for (std::size_t j = 0; j < 4; ++j)
-        wheel[j] = wheel_transfer(f, true, record.neighbour_coupling) * input[j] + wheel_transfer(f, false, record.neighbour_coupling) * input[j ^ 1];
+        input[j] = std::polar(1.0, -omega * (g.wheels_m[0] - g.wheels_m[j]) / record.speed_m_per_s);
+    for (std::size_t j = 0; j < 4; ++j)
+        wheel[j] = wheel_transfer(f, true, record.neighbour_coupling) * input[j] +
+                   wheel_transfer(f, false, record.neighbour_coupling) * input[j ^ 1];
     std::array<Complex, 9> y{};
     for (std::size_t j = 0; j < 4; ++j) y[j] = wheel[j];
     const Complex bogie = foot_transfer(f, 6.0, 0.2), body = foot_transfer(f, 1.0, 0.2);
@@ -58,7 +65,8 @@ inline std::array<Complex, 9> response(double f, const SyntheticRecord& record) 
     y[6] = body * (0.8 * y[4] + 0.2 * y[5]);
     y[7] = body * (0.2 * y[4] + 0.8 * y[5]);
     y[8] = 0.5 * (y[6] + y[7]);
-    // The acquisition's anti-aliasing filter, Butterworth of twelfth order at 0.33 of the sampling rate, without its phase.
+    // The acquisition's anti-aliasing filter, Butterworth of twelfth order at 0.33 of the sampling rate, without its
+    // phase.
     const double filter = 1.0 / std::sqrt(1.0 + std::pow(f / (0.33 * record.sampling_rate_hz), 24));
     for (Complex& value : y) value *= -omega * omega * filter;
     return y;

@@ -1,5 +1,6 @@
-// False alarms of the checks on 500 sound records (linear synthesis, every seed another record, speeds 15 to 50 m/s): at most 1 % for
-// every check. With 500 records 1 % is 5; a check whose true rate is 0.2 % exceeds that once in 3000 runs.
+// False alarms of the checks on 500 sound records (linear synthesis, every seed another record, speeds 15 to 50 m/s):
+// at most 1 % for every check. With 500 records 1 % is 5; a check whose true rate is 0.2 % exceeds that once in 3000
+// runs.
 
 #include <gtest/gtest.h>
 
@@ -22,7 +23,10 @@ TEST(SoundRecords, RaiseFewFalseAlarms) {
     int speed_known = 0;
     for (int i = 0; i < records; ++i) {
         const double speed = 15.0 + 0.07 * i;
-        const Recording recording = testing::make_record({.duration_s = 20.5, .sampling_rate_hz = 400.0, .speed_m_per_s = speed, .seed = 1000U + static_cast<unsigned>(i)});
+        const Recording recording = testing::make_record({.duration_s = 20.5,
+                                                          .sampling_rate_hz = 400.0,
+                                                          .speed_m_per_s = speed,
+                                                          .seed = 1000U + static_cast<unsigned>(i)});
         const InspectionReport report = inspect(recording, context);
         std::map<FaultKind, bool> kinds;
         for (const Fault& fault : report.faults) {

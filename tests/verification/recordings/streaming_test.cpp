@@ -24,7 +24,8 @@ long peak_kilobytes() {
 double processor_seconds() {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
-    return static_cast<double>(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec) + 1e-6 * static_cast<double>(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
+    return static_cast<double>(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec) +
+           1e-6 * static_cast<double>(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
 }
 
 TEST(Speed, NineChannelsOfAMinuteAreReadAndEstimatedInHalfASecond) {
@@ -46,7 +47,8 @@ TEST(Speed, NineChannelsOfAMinuteAreReadAndEstimatedInHalfASecond) {
 }
 
 TEST(Streaming, SpectraOfALongFileNeedTheMemoryOfOneSection) {
-    // 16 channels at 2 kHz, a minute of it (15 MB) by default; RAILPEM_LONG_RECORDING_S = 3600 makes the hour of 900 MB.
+    // 16 channels at 2 kHz, a minute of it (15 MB) by default; RAILPEM_LONG_RECORDING_S = 3600 makes the hour of 900
+    // MB.
     const char* wanted = std::getenv("RAILPEM_LONG_RECORDING_S");
     const int seconds = wanted ? std::atoi(wanted) : 60;
     const testing::ScratchFolder folder;
@@ -82,7 +84,8 @@ TEST(Streaming, SpectraOfALongFileNeedTheMemoryOfOneSection) {
     double power = 0.0;
     for (std::size_t k = 0; k < all.bins(); ++k) power += all.psd(k, 7) * all.kernel().bin_hz();
     EXPECT_NEAR(power, 1.0, 0.1);  // white noise of unit variance, one second of it repeated
-    // A section of 40 000 × 16 numbers is 5 MB; it is held three times (table, channels, without trend), and the matrices are 8 MB twice.
+    // A section of 40 000 × 16 numbers is 5 MB; it is held three times (table, channels, without trend), and the
+    // matrices are 8 MB twice.
     EXPECT_LT(peak_kilobytes() - before, 80000);
     RecordProperty("megabytes", std::to_string((peak_kilobytes() - before) / 1024));
 }
