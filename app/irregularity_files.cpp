@@ -28,7 +28,8 @@ struct Measurement {
     std::vector<std::size_t> lines;
 };
 
-[[noreturn]] void refuse_line(const Measurement& measured, std::size_t row, const std::string& what, const std::string& allowed) {
+[[noreturn]] void refuse_line(const Measurement& measured, std::size_t row, const std::string& what,
+                              const std::string& allowed) {
     throw InputError(fmt::format("{}:{}: {}\nallowed: {}", measured.file, measured.lines[row], what, allowed));
 }
 
@@ -50,22 +51,29 @@ Measurement read_columns(const std::string& file, const std::string& x_name, con
 void read_spectrum(const std::string& file, IrregularityBand& band) {
     Measurement measured = read_columns(file, "cycles_per_m", "psd_m3");
     for (std::size_t row = 0; row < measured.x.size(); ++row) {
-        if (!(measured.x[row] > 0.0)) refuse_line(measured, row, fmt::format("cycles_per_m cannot be {:g}", measured.x[row]), "a number greater than 0");
+        if (!(measured.x[row] > 0.0))
+            refuse_line(measured, row, fmt::format("cycles_per_m cannot be {:g}", measured.x[row]),
+                        "a number greater than 0");
         if (!(measured.y[row] > 0.0))
-            refuse_line(measured, row, fmt::format("psd_m3 cannot be {:g}", measured.y[row]), "a number greater than 0 (the spectrum is interpolated log-log)");
-        if (row > 0 && !(measured.x[row] > measured.x[row - 1])) refuse_line(measured, row, "cycles_per_m does not increase", "strictly increasing values");
+            refuse_line(measured, row, fmt::format("psd_m3 cannot be {:g}", measured.y[row]),
+                        "a number greater than 0 (the spectrum is interpolated log-log)");
+        if (row > 0 && !(measured.x[row] > measured.x[row - 1]))
+            refuse_line(measured, row, "cycles_per_m does not increase", "strictly increasing values");
     }
     band.table_cycles_per_m = std::move(measured.x);
     band.table_psd_m3 = std::move(measured.y);
 }
 
 void read_profile(const std::string& file, IrregularityBand& band) {
-    constexpr double default_segments = 8.0;  // 15 with their overlap, some 14 independent: 27 % standard error per line
+    constexpr double default_segments =
+        8.0;  // 15 with their overlap, some 14 independent: 27 % standard error per line
     const Measurement measured = read_columns(file, "position_m", "height_m");
-    if (measured.x.size() < 2) throw ParameterError("", "a profile of fewer than two rows", "a profile of many wavelengths");
+    if (measured.x.size() < 2)
+        throw ParameterError("", "a profile of fewer than two rows", "a profile of many wavelengths");
     const double length = measured.x.back() - measured.x.front();
     const double segment = band.segment_length_m > 0.0 ? band.segment_length_m : length / default_segments;
-    const IrregularityBand table = spectra::measured_band(spectra::spectrum_of_profile(measured.x, measured.y, segment));
+    const IrregularityBand table =
+        spectra::measured_band(spectra::spectrum_of_profile(measured.x, measured.y, segment));
     band.table_cycles_per_m = table.table_cycles_per_m;
     band.table_psd_m3 = table.table_psd_m3;
 }
@@ -73,11 +81,14 @@ void read_profile(const std::string& file, IrregularityBand& band) {
 void read_band(const Document& document, const std::string& key, IrregularityBand& band) {
     const std::string file = (std::filesystem::path(document.name).parent_path() / band.file).string();
     if (!band.table_cycles_per_m.empty() || !band.table_psd_m3.empty())
-        throw refused(document, ParameterError(key + ".file", "the table is given both here and as a file", "one of them"));
+        throw refused(document,
+                      ParameterError(key + ".file", "the table is given both here and as a file", "one of them"));
     try {
         (band.family == Family::profile ? read_profile : read_spectrum)(file, band);
     } catch (const recordings::ReadError& error) {
-        if (error.line() > 0) throw InputError(fmt::format("{}:{}: {}\nallowed: {}", error.file(), error.line(), error.problem(), error.allowed()));
+        if (error.line() > 0)
+            throw InputError(
+                fmt::format("{}:{}: {}\nallowed: {}", error.file(), error.line(), error.problem(), error.allowed()));
         throw refused(document, ParameterError(key + ".file", file + ": " + error.problem(), error.allowed()));
     } catch (const ParameterError& error) {
         throw refused(document, ParameterError(key + ".file", file + ": " + error.problem(), error.allowed()));

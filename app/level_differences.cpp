@@ -20,8 +20,10 @@ std::optional<std::vector<double>> band_differences(const ResponseSpectra& first
                                                     const spectra::ThirdOctaveBand& band) {
     std::vector<double> differences;
     for (std::size_t response = 0; response < first.psd.size(); ++response) {
-        const auto one = spectra::mean_square_between(first.frequency_hz, first.psd[response], band.low_hz, band.high_hz);
-        const auto two = spectra::mean_square_between(second.frequency_hz, second.psd[response], band.low_hz, band.high_hz);
+        const auto one =
+            spectra::mean_square_between(first.frequency_hz, first.psd[response], band.low_hz, band.high_hz);
+        const auto two =
+            spectra::mean_square_between(second.frequency_hz, second.psd[response], band.low_hz, band.high_hz);
         if (!one || !two || (*one == 0.0 && *two == 0.0)) return std::nullopt;
         differences.push_back(10.0 * std::log10(*two / *one));
     }
@@ -30,7 +32,8 @@ std::optional<std::vector<double>> band_differences(const ResponseSpectra& first
 
 std::string column_name(const pem::ResponseName& name) {
     if (name.where == "trackbed") return "trackbed_force_insertion_gain_db";
-    return name.where + (name.quantity == pem::Quantity::acceleration ? "_acceleration" : "_force") + "_level_difference_db";
+    return name.where + (name.quantity == pem::Quantity::acceleration ? "_acceleration" : "_force") +
+           "_level_difference_db";
 }
 
 Json response_summary(const LevelDifferences& speed, std::size_t response) {
@@ -52,7 +55,8 @@ Json speed_summary(const LevelDifferences& speed) {
     Json accelerations = Json::object(), forces = Json::object();
     for (std::size_t response = 0; response < speed.difference_db.size(); ++response) {
         const pem::ResponseName& name = pem::response_names()[response];
-        (name.quantity == pem::Quantity::acceleration ? accelerations : forces)[name.where] = response_summary(speed, response);
+        (name.quantity == pem::Quantity::acceleration ? accelerations : forces)[name.where] =
+            response_summary(speed, response);
     }
     return {{"speed_1_m_per_s", speed.speed_1_m_per_s},
             {"speed_2_m_per_s", speed.speed_2_m_per_s},

@@ -24,9 +24,10 @@ void check_speeds(const CompareRequest& request, const CaseFile& first, const Ca
     const std::vector<double>& one = first.parameters.running.speeds_m_per_s;
     const std::vector<double>& two = second.parameters.running.speeds_m_per_s;
     if (one == two || (one.size() == 1 && two.size() == 1)) return;
-    throw InputError(fmt::format(
-        "railpem compare: running.speeds_m_per_s is [{}] in {} and [{}] in {}\nallowed: one speed in each, or the same list in both",
-        fmt::join(one, ", "), request.cases[0], fmt::join(two, ", "), request.cases[1]));
+    throw InputError(
+        fmt::format("railpem compare: running.speeds_m_per_s is [{}] in {} and [{}] in {}\nallowed: one speed in each, "
+                    "or the same list in both",
+                    fmt::join(one, ", "), request.cases[0], fmt::join(two, ", "), request.cases[1]));
 }
 
 int compare(const CompareRequest& request) {

@@ -23,15 +23,16 @@ struct ReceptanceRequest {
     int threads = 0;
 };
 
-/// Frequencies whose rail still behaves like a beam: the web of a rail bends above some 5 kHz, and a slip of the keyboard is
-/// told from a wish.
+/// Frequencies whose rail still behaves like a beam: the web of a rail bends above some 5 kHz, and a slip of the
+/// keyboard is told from a wish.
 constexpr double kLowest = 0.01, kHighest = 20000.0;
 constexpr int kMostLines = 100000;
 
 void check_lines(const ReceptanceRequest& request) {
     if (request.from_hz < request.to_hz) return;
-    throw InputError(fmt::format("railpem receptance: --from {:g} --to {:g}: no frequency between them\nallowed: --from less than --to",
-                                 request.from_hz, request.to_hz));
+    throw InputError(fmt::format(
+        "railpem receptance: --from {:g} --to {:g}: no frequency between them\nallowed: --from less than --to",
+        request.from_hz, request.to_hz));
 }
 
 pem::TrackResponse solve_track(const CaseFile& file, const ReceptanceRequest& request) {
@@ -52,7 +53,9 @@ int receptance(const ReceptanceRequest& request) {
     folder.write(file.name + ".decay.csv", csv_text(decay_table(response, file.parameters.track.spacing_m)));
     folder.commit();
     if (!file.parameters.track.failed_fasteners.empty())
-        fmt::print(stderr, "{}: every support is taken as intact; failed fasteners are left out of receptance and decay rate\n", file.name);
+        fmt::print(stderr,
+                   "{}: every support is taken as intact; failed fasteners are left out of receptance and decay rate\n",
+                   file.name);
     return 0;
 }
 

@@ -3,8 +3,8 @@
 
 SciPy solves what a finite-element user would write in an afternoon: 241 supports, exact Timoshenko dynamic-stiffness elements of
 half a bay, a banded complex solve per line, force in the middle of the bay in the middle. Its ends are free, not infinite, so
-the two agree where vibration has decayed over 72 m. Prints wall and processor times of one core, their ratios, the peak memory
-of `railpem solve` on case 3 of the paper, and the difference of the receptances. railpem's time is that of the whole program: start, static equilibrium,
+the two agree where vibration has decayed over 72 m. Prints wall and processor times of one core, their ratios, and the
+difference of the receptances. railpem's time is that of the whole program: start, static equilibrium,
 both receptances, the decay rates with their 29 positions, and the tables; SciPy's is the one receptance alone.
 
     scripts/benchmark_scipy.py --program build/release/railpem
@@ -113,13 +113,6 @@ def run_program(program, lines, low, high, folder):
     return best, all_runs.cpu / runs, columns
 
 
-def peak_memory(program):
-    """Bytes that solving the 2000 lines of the paper's case 3 takes at most; wait4, because a forked interpreter counts, too."""
-    with tempfile.TemporaryDirectory() as folder:
-        child = os.posix_spawn(program, [str(program), "solve", str(ROOT / "cases/wei2016/case3.toml"), "--out", folder], os.environ)
-        return os.wait4(child, 0)[2].ru_maxrss * 1024
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--program", default=ROOT / "build/release/railpem")
@@ -131,7 +124,6 @@ def main():
     low, high = 20.0, 3000.0
     with tempfile.TemporaryDirectory() as folder:
         wall, cpu, table = run_program(arguments.program, arguments.lines, low, high, folder)
-    memory = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss * 1024
     frequencies = low * (high / low) ** (np.arange(arguments.lines) / (arguments.lines - 1))
     with Stopwatch() as scipy:
         mid_bay = receptance(track, frequencies, arguments.supports + 1)
@@ -140,7 +132,6 @@ def main():
         "lines": arguments.lines, "supports": arguments.supports,
         "railpem_wall_s": wall, "scipy_wall_s": scipy.wall, "ratio_wall": scipy.wall / wall,
         "railpem_cpu_s": cpu, "scipy_cpu_s": scipy.cpu, "ratio_cpu": scipy.cpu / cpu,
-        "railpem_case_3_peak_memory_mb": peak_memory(arguments.program) / 1e6,
     }
     for name, reference in (("mid_bay", mid_bay), ("over_pad", over_pad)):
         ours = table[f"{name}_re_m_per_n"] + 1j * table[f"{name}_im_m_per_n"]

@@ -15,10 +15,12 @@ std::vector<std::string> validity_warnings(const IrregularityParameters& irregul
         if (band.shortest_wavelength_m >= valid.shortest_m * (1.0 - rounding) &&
             band.longest_wavelength_m <= valid.longest_m * (1.0 + rounding))
             continue;
-        const char* beyond = band.family == Family::table ? "beyond them there is no irregularity" : "beyond them it is extrapolated";
-        warnings.push_back(fmt::format("{} goes from {:g} to {:g} m, its family was measured for wavelengths of {:.4g} to {:.4g} m; {}",
-                                       element_key("band", i), band.shortest_wavelength_m, band.longest_wavelength_m,
-                                       valid.shortest_m, valid.longest_m, beyond));
+        const char* beyond =
+            band.family == Family::table ? "beyond them there is no irregularity" : "beyond them it is extrapolated";
+        warnings.push_back(fmt::format(
+            "{} goes from {:g} to {:g} m, its family was measured for wavelengths of {:.4g} to {:.4g} m; {}",
+            element_key("band", i), band.shortest_wavelength_m, band.longest_wavelength_m, valid.shortest_m,
+            valid.longest_m, beyond));
     }
     return warnings;
 }

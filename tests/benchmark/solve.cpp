@@ -4,6 +4,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include <array>
 #include <numbers>
 
 #include "../verification/pem/paper_case.hpp"
@@ -31,6 +32,28 @@ pem::CaseParameters uic60() {
     return c;
 }
 
+/// Floating-point operations per node and line of track::rail_receptance, counted in its source (complex product 6, sum 2, reciprocal
+/// 6). Condensation: block plus stretch 8, inverse 44, product with the stretch 56, sign 8, next block 68, pad-sum load 60.
+/// Selected inversion: two products 112, sum 8, pad sum 32, columns of the points met 56 (two on average).
+constexpr double kFlopPerNode = 244.0 + 208.0;
+
+/// What the core can do: independent chains of multiply-add in lanes, as the compiler writes them for everything else.
+void core_peak_multiply_add(benchmark::State& state) {
+    constexpr int kChains = 12, kSteps = 1000;  // more chains than latency times units
+    std::array<lanes::Real, kChains> x;
+    for (int c = 0; c < kChains; ++c) x[static_cast<std::size_t>(c)] = lanes::broadcast(1.0 + c);
+    lanes::Real factor = lanes::broadcast(0.999), summand = lanes::broadcast(1e-3);
+    benchmark::DoNotOptimize(factor);
+    benchmark::DoNotOptimize(summand);
+    for (auto _ : state) {
+        for (int i = 0; i < kSteps; ++i)
+            for (lanes::Real& value : x) value = value * factor + summand;
+        benchmark::DoNotOptimize(x);
+    }
+    state.counters["flop_per_s"] = benchmark::Counter(2.0 * kChains * kSteps * lanes::width, benchmark::Counter::kIsIterationInvariantRate);
+}
+BENCHMARK(core_peak_multiply_add)->Unit(benchmark::kMicrosecond);
+
 /// One coupled line: vehicle, contact, exact rail of case 3, all responses to one source. One core.
 void coupled_line_exact(benchmark::State& state) {
     const pem::CoupledModel model = pem::coupled_model(tests::paper_case(3), 22.2222);
@@ -53,7 +76,9 @@ void rail_receptance_exact(benchmark::State& state) {
     track::ExactRailWorkspace workspace(rail);
     for (auto _ : state) benchmark::DoNotOptimize(&track::rail_receptance(rail, lines_from(60.0), workspace));
     state.SetItemsProcessed(state.iterations() * lanes::width);
-    state.counters["nodes"] = static_cast<double>(rail.nodes.size());
+    const double nodes = static_cast<double>(rail.nodes.size());
+    state.counters["nodes"] = nodes;
+    state.counters["flop_per_s"] = benchmark::Counter(kFlopPerNode * nodes * lanes::width, benchmark::Counter::kIsIterationInvariantRate);
 }
 BENCHMARK(rail_receptance_exact)->Unit(benchmark::kMicrosecond);
 

@@ -47,12 +47,16 @@ TEST(Compare, LinearInTheIrregularity) {
     std::string rough = text;
     rough.insert(rough.find("[[irregularity.band]]"), "[irregularity]\nlevel_db = 6.0\n\n");
     scratch.write("rough.toml", rough);
-    ASSERT_EQ(run({"compare", scratch.path("quiet.toml"), scratch.path("rough.toml"), "--out", scratch.path("out")}).status, 0);
+    ASSERT_EQ(
+        run({"compare", scratch.path("quiet.toml"), scratch.path("rough.toml"), "--out", scratch.path("out")}).status,
+        0);
     const auto table = columns(scratch.read("out/quiet-rough.compare.csv"));
     EXPECT_EQ(table.size(), 1u + pem::response_names().size());
     EXPECT_GT(table.at("centre_hz").size(), 20u);
-    for (const char* name : {"wheel_1_acceleration_level_difference_db", "contact_3_force_level_difference_db", "trackbed_force_insertion_gain_db"})
-        for (const double difference : table.at(name)) EXPECT_NEAR(difference, 6.0, 1e-7) << name;  // nine digits in the table
+    for (const char* name : {"wheel_1_acceleration_level_difference_db", "contact_3_force_level_difference_db",
+                             "trackbed_force_insertion_gain_db"})
+        for (const double difference : table.at(name))
+            EXPECT_NEAR(difference, 6.0, 1e-7) << name;  // nine digits in the table
     const nlohmann::json summary = nlohmann::json::parse(scratch.read("out/quiet-rough.compare.json"));
     EXPECT_EQ(summary["case_1"], "quiet");
     EXPECT_EQ(summary["sign"], "positive where case_2 has more");
@@ -70,16 +74,20 @@ TEST(Compare, SpeedsPairwiseOrOneEach) {
     scratch.write("slow.toml", with_speeds("20.0"));
     scratch.write("fast.toml", with_speeds("30.0"));
     scratch.write("both.toml", with_speeds("[20.0, 30.0]"));
-    ASSERT_EQ(run({"compare", scratch.path("slow.toml"), scratch.path("fast.toml"), "--out", scratch.path("out")}).status, 0);
-    ASSERT_EQ(run({"compare", scratch.path("both.toml"), scratch.path("both.toml"), "--out", scratch.path("out")}).status, 0);
+    ASSERT_EQ(
+        run({"compare", scratch.path("slow.toml"), scratch.path("fast.toml"), "--out", scratch.path("out")}).status, 0);
+    ASSERT_EQ(
+        run({"compare", scratch.path("both.toml"), scratch.path("both.toml"), "--out", scratch.path("out")}).status, 0);
     const auto table = columns(scratch.read("out/both-both.compare.csv"));
     EXPECT_EQ(table.at("speed_m_per_s").front(), 20.0);
     EXPECT_EQ(table.at("speed_m_per_s").back(), 30.0);
     for (const double difference : table.at("trackbed_force_insertion_gain_db")) EXPECT_EQ(difference, 0.0);
-    const ProgramResult refused = run({"compare", scratch.path("slow.toml"), scratch.path("both.toml"), "--out", scratch.path("other")});
+    const ProgramResult refused =
+        run({"compare", scratch.path("slow.toml"), scratch.path("both.toml"), "--out", scratch.path("other")});
     EXPECT_EQ(refused.status, 2);
-    EXPECT_EQ(refused.message, "railpem compare: running.speeds_m_per_s is [20] in " + scratch.path("slow.toml") + " and [20, 30] in " +
-                                   scratch.path("both.toml") + "\nallowed: one speed in each, or the same list in both\n");
+    EXPECT_EQ(refused.message, "railpem compare: running.speeds_m_per_s is [20] in " + scratch.path("slow.toml") +
+                                   " and [20, 30] in " + scratch.path("both.toml") +
+                                   "\nallowed: one speed in each, or the same list in both\n");
     EXPECT_FALSE(scratch.has("other"));
 }
 

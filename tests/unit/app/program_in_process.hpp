@@ -76,6 +76,8 @@ inline std::map<std::string, std::vector<double>> columns(const std::string& csv
     return table;
 }
 
-inline std::string shipped(const std::string& name) { return std::string(RAILPEM_SOURCE_DIR) + "/cases/" + name; }
+inline std::string shipped(const std::string& name) {
+    return std::string(RAILPEM_SOURCE_DIR) + "/cases/" + name;
+}
 
 }  // namespace railpem::app

@@ -17,7 +17,9 @@ using Names = std::vector<std::string>;
 
 TEST(Receptance, TablesOfTheContract) {
     const Scratch scratch;
-    ASSERT_EQ(run({"receptance", shipped("ballasted/uic60.toml"), "--out", scratch.path("new/out"), "--threads", "1"}).status, 0);
+    ASSERT_EQ(
+        run({"receptance", shipped("ballasted/uic60.toml"), "--out", scratch.path("new/out"), "--threads", "1"}).status,
+        0);
     const std::string text = scratch.read("new/out/uic60.receptance.csv");
     EXPECT_EQ(text.substr(0, text.find('\n')),
               "frequency_hz,over_pad_re_m_per_n,over_pad_im_m_per_n,mid_bay_re_m_per_n,mid_bay_im_m_per_n");
@@ -39,11 +41,16 @@ TEST(Receptance, TablesOfTheContract) {
     EXPECT_EQ(decay.at("centre_hz").size(), 23u);
 }
 
-/// Force and response of the tables are those of pem/track_response.hpp at the frequencies asked for; one or two threads.
+/// Force and response of the tables are those of pem/track_response.hpp at the frequencies asked for; one or two
+/// threads.
 TEST(Receptance, RangeLinesOverridesAndThreads) {
     const Scratch scratch;
-    const Names arguments{"receptance", shipped("ballasted/uic60.toml"), "--from", "100", "--to", "800", "--lines", "40",
-                          "--set", "track.pads.static_stiffness_n_per_m=100e6", "--out"};
+    const Names arguments{"receptance", shipped("ballasted/uic60.toml"),
+                          "--from",     "100",
+                          "--to",       "800",
+                          "--lines",    "40",
+                          "--set",      "track.pads.static_stiffness_n_per_m=100e6",
+                          "--out"};
     for (const char* threads : {"1", "2"}) {
         Names all = arguments;
         all.insert(all.end(), {scratch.path(threads), "--threads", threads});
@@ -52,16 +59,18 @@ TEST(Receptance, RangeLinesOverridesAndThreads) {
     EXPECT_EQ(scratch.read("1/uic60.receptance.csv"), scratch.read("2/uic60.receptance.csv"));
     EXPECT_EQ(scratch.read("1/uic60.decay.csv"), scratch.read("2/uic60.decay.csv"));
     const CaseFile file = read_case(shipped("ballasted/uic60.toml"), {"track.pads.static_stiffness_n_per_m=100e6"});
-    const pem::TrackResponse direct = pem::track_response(file.parameters, pem::geometric_lines(100.0, 800.0, 40), true, 1);
+    const pem::TrackResponse direct =
+        pem::track_response(file.parameters, pem::geometric_lines(100.0, 800.0, 40), true, 1);
     EXPECT_EQ(scratch.read("1/uic60.receptance.csv"), csv_text(receptance_table(direct)));
     EXPECT_EQ(columns(scratch.read("1/uic60.receptance.csv")).at("frequency_hz").size(), 40u);
 }
 
-/// Around the pinned–pinned frequency (1068 Hz): a dip below it, where the supports stand in nodes of the wave, a peak in the stop
-/// band above it; in both decay rates. Above 1.5 kHz, with hardly any near field, they agree within 12 %.
+/// Around the pinned–pinned frequency (1068 Hz): a dip below it, where the supports stand in nodes of the wave, a peak
+/// in the stop band above it; in both decay rates. Above 1.5 kHz, with hardly any near field, they agree within 12 %.
 TEST(Receptance, DecayRateAroundThePinnedPinnedFrequency) {
     const CaseFile file = read_case(shipped("ballasted/uic60.toml"), {});
-    const pem::TrackResponse response = pem::track_response(file.parameters, pem::geometric_lines(20.0, 5000.0, 1500), true, 1);
+    const pem::TrackResponse response =
+        pem::track_response(file.parameters, pem::geometric_lines(20.0, 5000.0, 1500), true, 1);
     const NumberTable table = decay_table(response, 0.6);
     const auto at = [&](std::size_t column, double centre) {
         const auto found = std::find(table.columns[0].begin(), table.columns[0].end(), centre);
@@ -72,7 +81,8 @@ TEST(Receptance, DecayRateAroundThePinnedPinnedFrequency) {
         EXPECT_GT(at(column, 1250.0), 1.5 * at(column, 1000.0)) << column;
         EXPECT_GT(at(column, 1250.0), 1.5 * at(column, 1600.0)) << column;
     }
-    for (const double centre : {1600.0, 2000.0, 2500.0, 3150.0, 4000.0}) EXPECT_NEAR(at(1, centre) / at(2, centre), 1.0, 0.12) << centre;
+    for (const double centre : {1600.0, 2000.0, 2500.0, 3150.0, 4000.0})
+        EXPECT_NEAR(at(1, centre) / at(2, centre), 1.0, 0.12) << centre;
 }
 
 TEST(Receptance, BadRangesAreRefused) {
@@ -84,7 +94,8 @@ TEST(Receptance, BadRangesAreRefused) {
     };
     const ProgramResult empty = refused({"--from", "500", "--to", "100"});
     EXPECT_EQ(empty.status, 2);
-    EXPECT_EQ(empty.message, "railpem receptance: --from 500 --to 100: no frequency between them\nallowed: --from less than --to\n");
+    EXPECT_EQ(empty.message,
+              "railpem receptance: --from 500 --to 100: no frequency between them\nallowed: --from less than --to\n");
     EXPECT_EQ(refused({"--from", "0"}).status, 2);
     EXPECT_EQ(refused({"--lines", "1"}).status, 2);
     EXPECT_EQ(refused({"--to", "nan"}).status, 2);
@@ -93,9 +104,11 @@ TEST(Receptance, BadRangesAreRefused) {
 
 TEST(Receptance, FailedFastenersAreSaidToBeLeftOut) {
     const Scratch scratch;
-    const ProgramResult result = run({"receptance", shipped("ballasted/uic60.toml"), "--lines", "10", "--set", "track.failed_fasteners[1].every=5", "--out", scratch.path("out")});
+    const ProgramResult result = run({"receptance", shipped("ballasted/uic60.toml"), "--lines", "10", "--set",
+                                      "track.failed_fasteners[1].every=5", "--out", scratch.path("out")});
     EXPECT_EQ(result.status, 0);
-    EXPECT_EQ(result.message, "uic60: every support is taken as intact; failed fasteners are left out of receptance and decay rate\n");
+    EXPECT_EQ(result.message,
+              "uic60: every support is taken as intact; failed fasteners are left out of receptance and decay rate\n");
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
-// The first pinned–pinned frequency: half a wave of the rail fits between two supports, which then stand in its nodes. On a
-// track of equal, undamped point supports that wave exists whatever the supports are made of, so its frequency is that of one
-// bay simply supported, in closed form.
+// The first pinned–pinned frequency: half a wave of the rail fits between two supports, which then stand in its nodes.
+// On a track of equal, undamped point supports that wave exists whatever the supports are made of, so its frequency is
+// that of one bay simply supported, in closed form.
 
 #include <gtest/gtest.h>
 
@@ -18,8 +18,13 @@ constexpr double kSpacing = 0.6;
 
 TrackParameters uic60_track(Beam beam) {
     TrackParameters track;
-    track.rail = {.beam = beam, .youngs_modulus_pa = 210e9, .second_moment_of_area_m4 = 3038.3e-8, .mass_kg_per_m = 60.2,
-                  .shear_modulus_pa = 81e9, .shear_coefficient = 0.4, .cross_section_m2 = 60.2 / 7850.0};
+    track.rail = {.beam = beam,
+                  .youngs_modulus_pa = 210e9,
+                  .second_moment_of_area_m4 = 3038.3e-8,
+                  .mass_kg_per_m = 60.2,
+                  .shear_modulus_pa = 81e9,
+                  .shear_coefficient = 0.4,
+                  .cross_section_m2 = 60.2 / 7850.0};
     track.pads.static_stiffness_n_per_m = 300e6;
     track.support = {.model = SupportModel::two_layer, .mass_kg = 162.0, .stiffness_n_per_m = 50e6};
     track.spacing_m = kSpacing;
@@ -58,8 +63,8 @@ std::pair<double, double> peak(const TrackParameters& track, double stiffness, d
 class PinnedPinned : public testing::TestWithParam<Beam> {};
 INSTANTIATE_TEST_SUITE_P(Beams, PinnedPinned, testing::Values(Beam::euler, Beam::timoshenko));
 
-/// At the edge of the stop band a wave's factor per bay is −1 exactly. Near it λ + 1 falls with the root of the distance in
-/// frequency, so rounding of 1e-13 in the frequency and the coefficients shows as some 1e-6 here.
+/// At the edge of the stop band a wave's factor per bay is −1 exactly. Near it λ + 1 falls with the root of the
+/// distance in frequency, so rounding of 1e-13 in the frequency and the coefficients shows as some 1e-6 here.
 TEST_P(PinnedPinned, WaveOfFactorMinusOneWhateverTheSupports) {
     const TrackParameters track = uic60_track(GetParam());
     const double f = pinned_pinned_hz(track.rail);
@@ -70,14 +75,15 @@ TEST_P(PinnedPinned, WaveOfFactorMinusOneWhateverTheSupports) {
             return std::min(std::abs(half.factor_1[0] + 1.0), std::abs(half.factor_2[0] + 1.0));
         };
         EXPECT_LT(nearest(f), 1e-5) << stiffness;
-        // And nowhere near it a per cent away, where the wave is half a per cent longer or shorter: π·0.005, less in the stop band.
+        // And nowhere near it a per cent away, where the wave is half a per cent longer or shorter: π·0.005, less in
+        // the stop band.
         EXPECT_GT(nearest(0.99 * f), 5e-3) << stiffness;
         EXPECT_GT(nearest(1.01 * f), 5e-3) << stiffness;
     }
 }
 
-/// The receptance in the middle of a bay has its peak there; a loss factor of 1e-4 leaves it finite and moves it by about as
-/// much. The grid of 1e-4 of the frequency decides the rest.
+/// The receptance in the middle of a bay has its peak there; a loss factor of 1e-4 leaves it finite and moves it by
+/// about as much. The grid of 1e-4 of the frequency decides the rest.
 TEST_P(PinnedPinned, PeakInTheMiddleOfABay) {
     TrackParameters track = uic60_track(GetParam());
     track.rail.loss_factor = 1e-4;
@@ -85,8 +91,8 @@ TEST_P(PinnedPinned, PeakInTheMiddleOfABay) {
     EXPECT_NEAR(peak(track, 300e6, 0.97 * f, 1.03 * f, 1e-4 * f).first / f, 1.0, 3e-4);
 }
 
-/// With the losses of the shipped case (rail 0.02, pad 0.25, ballast 1.0) the peak is where it was within half the bandwidth
-/// η·f of the wave, and higher than over a pad by far.
+/// With the losses of the shipped case (rail 0.02, pad 0.25, ballast 1.0) the peak is where it was within half the
+/// bandwidth η·f of the wave, and higher than over a pad by far.
 TEST(PinnedPinnedOfTheShippedTrack, StandsOutInTheMiddleOfABayOnly) {
     TrackParameters track = uic60_track(Beam::timoshenko);
     track.rail.loss_factor = 0.02;
@@ -101,8 +107,8 @@ TEST(PinnedPinnedOfTheShippedTrack, StandsOutInTheMiddleOfABayOnly) {
     EXPECT_GT(height, 5.0 * std::abs(mid_bay(over, workspace, frequency)));
 }
 
-/// The dip of the decay rate around that frequency: the far-reaching wave hardly feels pads and ballast and decays with the
-/// rail's own loss alone, while half an octave away it is damped by the pads, too.
+/// The dip of the decay rate around that frequency: the far-reaching wave hardly feels pads and ballast and decays with
+/// the rail's own loss alone, while half an octave away it is damped by the pads, too.
 TEST(PinnedPinnedOfTheShippedTrack, DampingBelongsToTheRailThere) {
     TrackParameters track = uic60_track(Beam::timoshenko);
     track.pads.loss_factor = 0.25;

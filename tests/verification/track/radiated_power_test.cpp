@@ -1,6 +1,6 @@
-// Where the power goes that a force puts into the infinite track: into the supports and the rail, all the way to infinity, or,
-// without any loss, away along it. The waves of the half tracks (bloch.hpp) are followed support by support, so that their
-// impedance is checked against what their own displacements dissipate or carry.
+// Where the power goes that a force puts into the infinite track: into the supports and the rail, all the way to
+// infinity, or, without any loss, away along it. The waves of the half tracks (bloch.hpp) are followed support by
+// support, so that their impedance is checked against what their own displacements dissipate or carry.
 
 #include <gtest/gtest.h>
 
@@ -34,7 +34,7 @@ struct Driven {
     Complex support;
     Eigen::Matrix2cd half, advance;  ///< of everything beyond a node, and from node to node
     Eigen::Matrix4cd bay;
-    Pair first;                      ///< (w, ψ) under the force; ψ = 0 by symmetry
+    Pair first;  ///< (w, ψ) under the force; ψ = 0 by symmetry
 };
 
 Driven driven(const TrackParameters& track, double stiffness, double frequency) {
@@ -55,12 +55,19 @@ Driven driven(const TrackParameters& track, double stiffness, double frequency) 
 
 TrackParameters uic60_track(double rail_loss, double pad_loss, double ballast_loss) {
     TrackParameters track;
-    track.rail = {.beam = Beam::timoshenko, .youngs_modulus_pa = 210e9, .second_moment_of_area_m4 = 3038.3e-8, .mass_kg_per_m = 60.2,
-                  .loss_factor = rail_loss, .shear_modulus_pa = 81e9, .shear_coefficient = 0.4, .cross_section_m2 = 60.2 / 7850.0};
+    track.rail = {.beam = Beam::timoshenko,
+                  .youngs_modulus_pa = 210e9,
+                  .second_moment_of_area_m4 = 3038.3e-8,
+                  .mass_kg_per_m = 60.2,
+                  .loss_factor = rail_loss,
+                  .shear_modulus_pa = 81e9,
+                  .shear_coefficient = 0.4,
+                  .cross_section_m2 = 60.2 / 7850.0};
     track.pads.static_stiffness_n_per_m = 300e6;
     track.pads.loss_factor = pad_loss;
     track.pads.loss_law = LossLaw::constant;
-    track.support = {.model = SupportModel::two_layer, .mass_kg = 162.0, .stiffness_n_per_m = 50e6, .loss_factor = ballast_loss};
+    track.support = {
+        .model = SupportModel::two_layer, .mass_kg = 162.0, .stiffness_n_per_m = 50e6, .loss_factor = ballast_loss};
     return track;
 }
 
@@ -75,18 +82,20 @@ TEST(RadiatedPower, AllOfItIsDissipatedSomewhere) {
                 const Pair next = track.advance * here;
                 Eigen::Vector4cd ends;
                 ends << here, next;
-                dissipated += 2.0 * (power(track.omega, track.bay, ends) + 0.5 * track.omega * track.support.imag() * std::norm(next(0)));
+                dissipated += 2.0 * (power(track.omega, track.bay, ends) +
+                                     0.5 * track.omega * track.support.imag() * std::norm(next(0)));
                 here = next;
             }
             const double travelling = 2.0 * power(track.omega, track.half, here);
             // A chain of 400 products of 2×2 blocks whose entries span a factor 1e3: rounding some 1e-11.
-            EXPECT_NEAR((dissipated + travelling) / track.supplied, 1.0, 1e-9) << frequency << " Hz, rail loss " << rail_loss;
+            EXPECT_NEAR((dissipated + travelling) / track.supplied, 1.0, 1e-9)
+                << frequency << " Hz, rail loss " << rail_loss;
             EXPECT_GE(travelling, -1e-9 * track.supplied);
         }
 }
 
-/// Without loss all power leaves through the two half tracks, and every cut along the way carries the same. Frequencies in
-/// propagating bands; in a stop band nothing is put in.
+/// Without loss all power leaves through the two half tracks, and every cut along the way carries the same. Frequencies
+/// in propagating bands; in a stop band nothing is put in.
 TEST(RadiatedPower, LeavesUnchangedWithoutLoss) {
     int propagating = 0;
     for (const double frequency : {60.0, 300.0, 500.0, 800.0, 1500.0, 2600.0}) {
@@ -96,20 +105,22 @@ TEST(RadiatedPower, LeavesUnchangedWithoutLoss) {
         ++propagating;
         Pair here = track.first;
         for (int n = 0; n < 60; ++n) {
-            EXPECT_NEAR(2.0 * power(track.omega, track.half, here) / track.supplied, 1.0, 1e-9) << frequency << " Hz, bay " << n;
+            EXPECT_NEAR(2.0 * power(track.omega, track.half, here) / track.supplied, 1.0, 1e-9)
+                << frequency << " Hz, bay " << n;
             here = track.advance * here;
         }
     }
     EXPECT_GE(propagating, 4);
 }
 
-/// Another route through linear algebra: nodes with and without loads of their own, assembled as one dense matrix closed by
-/// the same two half tracks and solved by LU with pivoting, against the selected inversion in 2×2 blocks.
+/// Another route through linear algebra: nodes with and without loads of their own, assembled as one dense matrix
+/// closed by the same two half tracks and solved by LU with pivoting, against the selected inversion in 2×2 blocks.
 TEST(ExactRail, DenseAssemblyGivesTheSame) {
     const TrackParameters track = uic60_track(0.02, 0.25, 1.0);
     const std::vector<double> points{0.37, -1.1, 4.2, 2.4};
     ExactRail rail = uniform_rail(track, points, 300e6);
-    for (std::size_t j = 0; j < rail.nodes.size(); ++j) rail.nodes[j].pad_stiffness_n_per_m *= 1.0 + 0.1 * static_cast<double>(j % 5);
+    for (std::size_t j = 0; j < rail.nodes.size(); ++j)
+        rail.nodes[j].pad_stiffness_n_per_m *= 1.0 + 0.1 * static_cast<double>(j % 5);
     ExactRailWorkspace workspace(rail);
     const long nodes = static_cast<long>(rail.nodes.size());
     for (const double frequency : {25.0, 180.0, 1060.0, 3900.0}) {
@@ -123,7 +134,8 @@ TEST(ExactRail, DenseAssemblyGivesTheSame) {
             const RailNode& node = rail.nodes[static_cast<std::size_t>(j)];
             if (node.supported) dense(2 * j, 2 * j) += law.stiffness(node.pad_stiffness_n_per_m)[0];
             if (j + 1 == nodes) continue;
-            const RailElement stretch = rail_element(beam, rail.nodes[static_cast<std::size_t>(j) + 1].position_m - node.position_m);
+            const RailElement stretch =
+                rail_element(beam, rail.nodes[static_cast<std::size_t>(j) + 1].position_m - node.position_m);
             dense.block<2, 2>(2 * j, 2 * j) += block(stretch.near);
             dense.block<2, 2>(2 * j, 2 * j + 2) += block(stretch.far);
             dense.block<2, 2>(2 * j + 2, 2 * j) += block(stretch.far).transpose();
@@ -140,7 +152,10 @@ TEST(ExactRail, DenseAssemblyGivesTheSame) {
         // Condition of the dense matrix (forces beside moments, stiff short stretches) times rounding: some 1e-10.
         for (int a = 0; a < 4; ++a)
             for (int b = 0; b < 4; ++b)
-                EXPECT_NEAR(std::abs(selected.at(a, b)[0] - inverse(row(a), row(b))) / std::abs(inverse(row(a), row(a))), 0.0, 1e-9) << frequency << " Hz " << a << b;
+                EXPECT_NEAR(
+                    std::abs(selected.at(a, b)[0] - inverse(row(a), row(b))) / std::abs(inverse(row(a), row(a))), 0.0,
+                    1e-9)
+                    << frequency << " Hz " << a << b;
     }
 }
 
