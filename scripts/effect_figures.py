@@ -17,8 +17,8 @@ FIGURES = {
     "pad-preload-stiffening": TRACK | {
         "title": "the pads under the wheels are stiffer",
         "variants": {"strength 1": {}},
-        "text": "Only the pads that carry a wheel are stiffer (31 instead of 26.7 kN/mm at rest), so the resonance of the wheels moves up a little: less below\n"
-                "50 Hz, more above. Ripples are larger than with pads that are stiffer everywhere: the rail between the wheels is on the softer ones.",
+        "text": "At rest the pads under the wheels have 38 kN/mm and those far from them 19, instead of 26.7 everywhere. The resonance of the wheels moves up:\n"
+                "less below 50 Hz, more above. Beside the mean shift the ripples change, because the rail between the wheels is on the softer pads.",
     },
     "pad-hysteresis": TRACK | {
         "title": "a loss factor instead of a dashpot",
@@ -80,7 +80,7 @@ FIGURES = {
     },
     "rail-joints": {
         "title": "dips at a regular distance",
-        "variants": {"1 mm deep, 1 m long, every 25 m": {}}, "lines": True,
+        "variants": {"1 mm deep, 1 m long, every 25 m": {}},
         "text": "Lines every v/25 m = 0.9 Hz, as high as the spectrum of a single dip: 1 m long, so up to about 2v/1 m = 44 Hz. They stand out between 5 and\n"
                 "22 Hz, where the believed irregularity is small; above, its short waves cover them.",
     },
@@ -100,7 +100,7 @@ FIGURES = {
         "title": "the axle bends",
         "variants": {"80 Hz, modal mass 3000 kg": {}},
         "text": "At 67 Hz, √(m/(m + M)) of the free frequency, the bending axle absorbs: force on the wheel moves nothing. Above the mode the axle no longer\n"
-                "follows and the wheels are lighter (3000 and 1350 kg side by side: 930 kg), so they move more: +3 dB. Bogie and body follow their wheels.",
+                "follows and the wheels are lighter (3000 and 1350 kg side by side: 930 kg), so they move more: +4 dB. Bogie and body follow their wheels.",
     },
     "bogie-mounted-mass": {
         "title": "equipment hangs on the bogie frame",
@@ -130,8 +130,8 @@ FIGURES = {
         "title": "the contact softens and opens more than the Hertz law",
         "believed": ("contact.nonlinearity_factor=1", "irregularity.level_db=10"),
         "variants": {"three times": {}},
-        "text": "Drawn on a track 10 dB rougher, both curves with the Hertz contact: on case 1 itself the contact hardly opens and the effect is 0.002 dB.\n"
-                "A contact that opens now and then is softer in the mean: more below the resonance of the wheels, less above.",
+        "text": "Drawn on a track 10 dB rougher, both curves with the Hertz contact; the effect is 0.02 dB even there, and 0.002 dB on case 1 itself: a contact\n"
+                "that hardly opens is nearly linear. What opens now and then is softer in the mean: more below the resonance of the wheels, less above.",
     },
     "contact-filter": TRACK | {
         "title": "the contact patch averages short waves",
