@@ -86,6 +86,7 @@ int run_verb(int argc, const char* const* argv) {
     add_sweep(program, run);
     add_simulate(program, run);
     add_inspect(program, run);
+    add_diagnose(program, run);
     add_validate(program, run);
     add_describe(program, run);
     check_verb(program, argc, argv);

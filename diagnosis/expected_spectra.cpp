@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <numbers>
 #include <string>
 
 #include "pem/excitation.hpp"
@@ -23,7 +24,6 @@ constexpr int kReachBins = 8;        ///< of the kernel; a Hann window leaves 1e
 
 std::string response_of(const recordings::ChannelDescription& channel, const pem::CaseParameters& parameters) {
     using recordings::Location;
-    if (channel.quantity != recordings::ChannelQuantity::acceleration) return {};
     switch (channel.location) {
         case Location::wheel: return "wheel_" + std::to_string(channel.index);
         case Location::bogie: return "bogie_" + std::to_string(channel.index);
@@ -44,6 +44,7 @@ std::string response_of(const recordings::ChannelDescription& channel, const pem
 struct FineGrid {
     double step_hz;
     std::size_t first, count;  ///< indices from frequency 0
+    double frequency(std::size_t i) const { return static_cast<double>(first + i) * step_hz; }
 };
 
 FineGrid fine_grid(const recordings::WindowKernel& kernel, std::size_t first_bin, std::size_t bins, int oversampling) {
@@ -54,130 +55,192 @@ FineGrid fine_grid(const recordings::WindowKernel& kernel, std::size_t first_bin
     return {kernel.bin_hz() / oversampling, first, last - first + 1};
 }
 
-/// Sensor factors of the observed channels at a frequency.
-std::vector<Complex> sensor_factors(const pem::CaseParameters& parameters, const std::vector<ObservedChannel>& channels, double frequency) {
-    std::vector<Complex> factors(channels.size(), 1.0);
+/// From acceleration to the channel's quantity, and what its sensors do, at a frequency.
+Complex channel_factor(const pem::CaseParameters& parameters, const ObservedChannel& channel, double frequency) {
+    Complex factor = 1.0;
+    for (int i = 0; i < channel.integrations; ++i) factor /= Complex(0.0, 2.0 * std::numbers::pi * frequency);
     for (const pem::SensorParameters& sensor : parameters.sensors)
-        for (std::size_t c = 0; c < channels.size(); ++c)
-            if (pem::measured_response(sensor.channel) == pem::response_names()[channels[c].response].where) factors[c] *= pem::sensor_transfer(sensor, frequency);
-    return factors;
+        if (pem::measured_response(sensor.channel) == pem::response_names()[channel.response].where)
+            factor *= pem::sensor_transfer(sensor, frequency);
+    return factor;
 }
 
-/// Transfers of all channels at one frequency, sensors included: channels × 4.
-Eigen::MatrixXcd transfers_at(const pem::CaseParameters& parameters, const std::vector<ObservedChannel>& channels, const pem::WheelTransfers& transfers, double frequency) {
-    Eigen::Matrix<Complex, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> matrix(static_cast<long>(channels.size()), 4);
-    pem::interpolate(transfers, frequency, matrix.data());
-    if (!parameters.sensors.empty()) {
-        const std::vector<Complex> factors = sensor_factors(parameters, channels, frequency);
-        for (std::size_t c = 0; c < factors.size(); ++c) matrix.row(static_cast<long>(c)) *= factors[c];
+/// The transfers from the four wheels to all channels on a coarse grid that covers the fine one, sensors included.
+pem::WheelTransfers channel_transfers(const pem::CaseParameters& parameters, const pem::CoupledModel& model,
+                                      const std::vector<ObservedChannel>& channels, const FineGrid& grid,
+                                      const ExpectationOptions& options) {
+    const double from = std::max(options.transfer_step_hz, grid.frequency(0) - 2.0 * options.transfer_step_hz);
+    const std::size_t lines = static_cast<std::size_t>((grid.frequency(grid.count) - from) / options.transfer_step_hz) + 4;
+    std::vector<std::size_t> responses;
+    for (const ObservedChannel& channel : channels) responses.push_back(channel.response);
+    pem::WheelTransfers transfers =
+        pem::wheel_transfers(model, from, options.transfer_step_hz, lines, responses, options.threads);
+    for (std::size_t c = 0; c < channels.size(); ++c) {
+        const bool plain = channels[c].integrations == 0 && parameters.sensors.empty();
+        for (std::size_t line = 0; !plain && line < lines; ++line) {
+            const Complex factor =
+                channel_factor(parameters, channels[c], from + static_cast<double>(line) * options.transfer_step_hz);
+            for (std::size_t j = 0; j < 4; ++j) transfers.values[(line * channels.size() + c) * 4 + j] *= factor;
+        }
     }
-    return matrix;
+    return transfers;
 }
 
 /// Pseudo-responses of one broadband source on the fine grid: [channel][fine line].
-std::vector<std::vector<Complex>> fine_responses(const pem::CaseParameters& parameters, const std::vector<ObservedChannel>& channels, const pem::WheelTransfers& transfers,
-                                                 const pem::DelayedSpectrum& source, const std::vector<double>& wheels, double speed, const FineGrid& grid) {
-    std::vector<std::vector<Complex>> y(channels.size(), std::vector<Complex>(grid.count));
+std::vector<Complex> fine_responses(const pem::WheelTransfers& transfers, const pem::DelayedSpectrum& source,
+                                    const std::vector<double>& wheels, double speed, const FineGrid& grid) {
+    const std::size_t channels = transfers.responses.size();
+    std::vector<Complex> y(channels * grid.count), at(channels * 4);
     for (std::size_t i = 0; i < grid.count; ++i) {
-        const double f = static_cast<double>(grid.first + i) * grid.step_hz;
+        const double f = grid.frequency(i);
         const double root = std::sqrt(source.psd_m2_per_hz(f));
-        Eigen::Vector4cd e;
-        for (std::size_t j = 0; j < 4; ++j) e(static_cast<long>(j)) = root * pem::delay_phase(wheels, j, f, speed);
-        const Eigen::VectorXcd response = transfers_at(parameters, channels, transfers, f) * e;
-        for (std::size_t c = 0; c < channels.size(); ++c) y[c][i] = response(static_cast<long>(c));
+        if (root == 0.0) continue;
+        pem::interpolate(transfers, f, at.data());
+        Complex e[4];
+        for (std::size_t j = 0; j < 4; ++j) e[j] = root * pem::delay_phase(wheels, j, f, speed);
+        for (std::size_t c = 0; c < channels; ++c) {
+            double re = 0.0, im = 0.0;  // plain products: no check for infinities in the inner loop
+            for (std::size_t j = 0; j < 4; ++j) {
+                const Complex t = at[c * 4 + j];
+                re += t.real() * e[j].real() - t.imag() * e[j].imag();
+                im += t.real() * e[j].imag() + t.imag() * e[j].real();
+            }
+            y[c * grid.count + i] = {re, im};
+        }
     }
     return y;
 }
 
+/// Σ_i weight_i·product_i over 2·reach + 1 fine lines.
+Complex weighted_sum(const double* weight, const Complex* product, std::size_t count) {
+    const double* values = reinterpret_cast<const double*>(product);  // real and imaginary parts in turn
+    double re = 0.0, im = 0.0;
+#pragma omp simd reduction(+ : re, im)
+    for (std::size_t i = 0; i < count; ++i) {
+        re += weight[i] * values[2 * i];
+        im += weight[i] * values[2 * i + 1];
+    }
+    return {re, im};
+}
+
 /// Adds ∫K S df' of a rank-one source to the matrices.
-void add_broadband(const std::vector<std::vector<Complex>>& y, const recordings::KernelWeights& kernel, const FineGrid& grid, ExpectedSpectra& expected) {
+void add_broadband(const std::vector<Complex>& y, const recordings::KernelWeights& kernel, const FineGrid& grid,
+                   ExpectedSpectra& expected) {
     const std::size_t reach = static_cast<std::size_t>(kernel.reach_bins * kernel.oversampling);
-    const long channels = static_cast<long>(y.size());
+    const std::size_t size = expected.channels, bins = expected.bins();
     std::vector<Complex> product(grid.count);
-    for (long a = 0; a < channels; ++a)
-        for (long b = 0; b <= a; ++b) {
-            for (std::size_t i = 0; i < grid.count; ++i) product[i] = y[static_cast<std::size_t>(a)][i] * std::conj(y[static_cast<std::size_t>(b)][i]);
-            for (std::size_t bin = 0; bin < expected.matrices.size(); ++bin) {
+    for (std::size_t a = 0; a < size; ++a)
+        for (std::size_t b = 0; b <= a; ++b) {
+            const Complex *first = &y[a * grid.count], *second = &y[b * grid.count];
+            for (std::size_t i = 0; i < grid.count; ++i)
+                product[i] = {first[i].real() * second[i].real() + first[i].imag() * second[i].imag(),
+                              first[i].imag() * second[i].real() - first[i].real() * second[i].imag()};
+            for (std::size_t bin = 0; bin < bins; ++bin) {
                 const std::size_t centre = (expected.first_bin + bin) * static_cast<std::size_t>(kernel.oversampling);
                 const std::size_t from = std::max(grid.first, centre > reach ? centre - reach : 0);
                 const std::size_t to = std::min(grid.first + grid.count - 1, centre + reach);
-                Complex sum = 0.0;
-                for (std::size_t i = from; i <= to; ++i) sum += kernel.weights[i + reach - centre] * product[i - grid.first];
-                expected.matrices[bin](a, b) += sum;
-                if (a != b) expected.matrices[bin](b, a) += std::conj(sum);
+                const Complex sum =
+                    weighted_sum(&kernel.weights[from + reach - centre], &product[from - grid.first], to - from + 1);
+                Complex* matrix = &expected.values[bin * size * size];
+                matrix[b * size + a] += sum;
+                if (a != b) matrix[a * size + b] += std::conj(sum);
             }
         }
 }
 
-/// Adds the lines of a set: each a Gaussian of the speed's fluctuation, smoothed by the kernel (five-point Gauss–Hermite rule).
-void add_lines(const pem::CaseParameters& parameters, const std::vector<ObservedChannel>& channels, const pem::WheelTransfers& transfers, const pem::LineSet& set,
+/// Adds the lines of a set: each a Gaussian of the speed's fluctuation, smoothed by the kernel (five-point
+/// Gauss–Hermite rule).
+void add_lines(const pem::CaseParameters& parameters, const pem::WheelTransfers& transfers, const pem::LineSet& set,
                const recordings::WindowKernel& kernel, ExpectedSpectra& expected) {
     constexpr double kNodes[5] = {-2.8569700138728, -1.3556261799742, 0.0, 1.3556261799742, 2.8569700138728};
-    constexpr double kWeights[5] = {0.0112574113277, 0.2220759220056, 0.5333333333333, 0.2220759220056, 0.0112574113277};
+    constexpr double kWeights[5] = {0.0112574113277, 0.2220759220056, 0.5333333333333, 0.2220759220056,
+                                    0.0112574113277};
     const double bin = kernel.bin_hz();
+    const std::size_t size = expected.channels;
+    std::vector<Complex> at(size * 4);
     for (const pem::SpectralLine& line : set.lines) {
-        Eigen::Vector4cd amplitude;
-        for (std::size_t j = 0; j < 4; ++j) amplitude(static_cast<long>(j)) = line.amplitude_m[j];
-        const Eigen::VectorXcd response = transfers_at(parameters, channels, transfers, line.frequency_hz) * amplitude;
-        const Eigen::MatrixXcd power = 0.5 * response * response.adjoint();
+        const double first = static_cast<double>(expected.first_bin) * bin;
+        const double last = static_cast<double>(expected.first_bin + expected.bins()) * bin;
         const double deviation = parameters.running.speed_fluctuation * line.frequency_hz;
-        for (std::size_t b = 0; b < expected.matrices.size(); ++b) {
+        const double reach = kReachBins * bin + 3.0 * deviation;
+        if (line.frequency_hz < first - reach || line.frequency_hz > last + reach) continue;
+        pem::interpolate(transfers, line.frequency_hz, at.data());
+        Eigen::VectorXcd response = Eigen::VectorXcd::Zero(static_cast<long>(size));
+        for (std::size_t c = 0; c < size; ++c)
+            for (std::size_t j = 0; j < 4; ++j) response(static_cast<long>(c)) += at[c * 4 + j] * line.amplitude_m[j];
+        const Eigen::MatrixXcd power = 0.5 * response * response.adjoint();
+        for (std::size_t b = 0; b < expected.bins(); ++b) {
             const double distance = static_cast<double>(expected.first_bin + b) * bin - line.frequency_hz;
-            if (std::abs(distance) > kReachBins * bin + 3.0 * deviation) continue;
+            if (std::abs(distance) > reach) continue;
             double density = 0.0;
             for (int k = 0; k < 5; ++k) density += kWeights[k] * kernel(distance - kNodes[k] * deviation);
-            expected.matrices[b] += density * power;
+            expected.matrix(b) += density * power;
         }
     }
 }
 
+/// Noise that the case says its sensors add.
+void add_sensor_noise(const pem::CaseParameters& parameters, const std::vector<ObservedChannel>& channels, double bin_hz,
+                      ExpectedSpectra& expected) {
+    for (const pem::SensorParameters& sensor : parameters.sensors)
+        for (std::size_t c = 0; c < channels.size() && sensor.noise_rms_m_per_s2 > 0.0; ++c) {
+            if (pem::measured_response(sensor.channel) != pem::response_names()[channels[c].response].where) continue;
+            for (std::size_t b = 0; b < expected.bins(); ++b)
+                expected.matrix(b)(static_cast<long>(c), static_cast<long>(c)) +=
+                    pem::sensor_noise_psd(sensor, static_cast<double>(expected.first_bin + b) * bin_hz);
+        }
+}
+
 }  // namespace
 
-std::vector<ObservedChannel> observed_channels(const std::vector<recordings::ChannelDescription>& channels, const pem::CaseParameters& parameters) {
+std::vector<ObservedChannel> observed_channels(const std::vector<recordings::ChannelDescription>& channels,
+                                               const pem::CaseParameters& parameters) {
     std::vector<ObservedChannel> observed;
-    for (std::size_t c = 0; c < channels.size(); ++c)
-        if (const std::string where = response_of(channels[c], parameters); !where.empty()) observed.push_back({c, pem::response_index(where)});
+    for (std::size_t c = 0; c < channels.size(); ++c) {
+        const std::string where = response_of(channels[c], parameters);
+        if (where.empty() || channels[c].quantity > recordings::ChannelQuantity::displacement) continue;
+        observed.push_back({c, pem::response_index(where), static_cast<int>(channels[c].quantity)});
+    }
     return observed;
 }
 
-ExpectedSpectra expected_spectra(const pem::CaseParameters& parameters, double speed, const recordings::WindowKernel& kernel, const std::vector<ObservedChannel>& channels,
+ExpectedSpectra expected_spectra(const pem::CaseParameters& parameters, double speed,
+                                 const recordings::WindowKernel& kernel, const std::vector<ObservedChannel>& channels,
                                  const std::vector<double>& noise_psd, const ExpectationOptions& options) {
     const double bin = kernel.bin_hz();
-    ExpectedSpectra expected;
+    ExpectedSpectra expected{.channels = channels.size()};
     expected.first_bin = static_cast<std::size_t>(std::ceil(options.low_hz / bin));
     const std::size_t bins = static_cast<std::size_t>(options.high_hz / bin) - expected.first_bin + 1;
-    const long size = static_cast<long>(channels.size());
-    expected.matrices.assign(bins, Eigen::MatrixXcd::Zero(size, size));
+    expected.values.assign(bins * channels.size() * channels.size(), 0.0);
 
     pem::CoupledModel model = pem::coupled_model(parameters, speed);
     pem::linearise(parameters, pem::excitation_sources(parameters, model.wheels_m, speed), model);
-    std::vector<std::size_t> responses;
-    for (const ObservedChannel& channel : channels) responses.push_back(channel.response);
     const FineGrid grid = fine_grid(kernel, expected.first_bin, bins, options.oversampling);
-    const double low = static_cast<double>(grid.first) * grid.step_hz, high = static_cast<double>(grid.first + grid.count) * grid.step_hz;
-    const double from = std::max(options.transfer_step_hz, low - 2.0 * options.transfer_step_hz);
-    const std::size_t lines = static_cast<std::size_t>((high - from) / options.transfer_step_hz) + 4;
-    const pem::WheelTransfers transfers = pem::wheel_transfers(model, from, options.transfer_step_hz, lines, responses, options.threads);
-
+    const pem::WheelTransfers transfers = channel_transfers(parameters, model, channels, grid, options);
     const recordings::KernelWeights weights = recordings::kernel_weights(kernel, options.oversampling, kReachBins);
     const pem::Excitation excitation = pem::excitation(parameters, model.wheels_m, speed);
     for (const pem::DelayedSpectrum& source : excitation.broadband)
-        add_broadband(fine_responses(parameters, channels, transfers, source, model.wheels_m, speed, grid), weights, grid, expected);
-    for (const pem::LineSet& set : excitation.lines) add_lines(parameters, channels, transfers, set, kernel, expected);
-    for (Eigen::MatrixXcd& matrix : expected.matrices)
-        for (long c = 0; c < size; ++c) matrix(c, c) += noise_psd[static_cast<std::size_t>(c)];
+        add_broadband(fine_responses(transfers, source, model.wheels_m, speed, grid), weights, grid, expected);
+    for (const pem::LineSet& set : excitation.lines) add_lines(parameters, transfers, set, kernel, expected);
+    add_sensor_noise(parameters, channels, bin, expected);
+    for (std::size_t b = 0; b < bins; ++b)
+        for (std::size_t c = 0; c < channels.size() && !noise_psd.empty(); ++c)
+            expected.values[b * channels.size() * channels.size() + c * (channels.size() + 1)] += noise_psd[c];
     return expected;
 }
 
-std::vector<double> whitened_trace(const ExpectedSpectra& expected, const recordings::CrossSpectra& measured, const std::vector<ObservedChannel>& channels) {
+std::vector<double> whitened_trace(const ExpectedSpectra& expected, const recordings::CrossSpectra& measured,
+                                   const std::vector<ObservedChannel>& channels) {
     const long size = static_cast<long>(channels.size());
     std::vector<double> trace;
     Eigen::MatrixXcd kept(size, size);
-    for (std::size_t b = 0; b < expected.matrices.size(); ++b) {
+    for (std::size_t b = 0; b < expected.bins(); ++b) {
         for (long i = 0; i < size; ++i)
             for (long j = 0; j < size; ++j)
-                kept(i, j) = measured.at(expected.first_bin + b, channels[static_cast<std::size_t>(i)].channel, channels[static_cast<std::size_t>(j)].channel);
-        trace.push_back(expected.matrices[b].llt().solve(kept).trace().real() / static_cast<double>(size));
+                kept(i, j) = measured.at(expected.first_bin + b, channels[static_cast<std::size_t>(i)].channel,
+                                         channels[static_cast<std::size_t>(j)].channel);
+        const Eigen::MatrixXcd model = expected.matrix(b);
+        trace.push_back(model.llt().solve(kept).trace().real() / static_cast<double>(size));
     }
     return trace;
 }

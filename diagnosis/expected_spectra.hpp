@@ -14,16 +14,27 @@ namespace railpem::diagnosis {
 struct ObservedChannel {
     std::size_t channel;
     std::size_t response;
+    int integrations = 0;  ///< 0 acceleration, 1 velocity, 2 displacement
 };
 
 /// Pairs channels with responses by location and index (wheel n, bogie n, rail n; body by its position: centre or a pivot within
 /// 0.25 m). Channels elsewhere are left out.
 std::vector<ObservedChannel> observed_channels(const std::vector<recordings::ChannelDescription>& channels, const pem::CaseParameters& parameters);
 
-/// Cross-spectral matrices of the observed channels at the bins first … first + count − 1, (m/s²)²/Hz, [bin] Hermitian.
+/// Cross-spectral matrices of the observed channels at the bins first … first + count − 1, in the squared units of the
+/// channels per Hz: Hermitian, one after the other, each column by column.
 struct ExpectedSpectra {
     std::size_t first_bin = 0;
-    std::vector<Eigen::MatrixXcd> matrices;
+    std::size_t channels = 0;
+    std::vector<std::complex<double>> values;
+
+    std::size_t bins() const { return channels == 0 ? 0 : values.size() / (channels * channels); }
+    Eigen::Map<Eigen::MatrixXcd> matrix(std::size_t bin) {
+        return {values.data() + bin * channels * channels, static_cast<long>(channels), static_cast<long>(channels)};
+    }
+    Eigen::Map<const Eigen::MatrixXcd> matrix(std::size_t bin) const {
+        return {values.data() + bin * channels * channels, static_cast<long>(channels), static_cast<long>(channels)};
+    }
 };
 
 /// How the expectation is computed.

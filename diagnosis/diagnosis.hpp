@@ -1,0 +1,143 @@
+#pragma once
+// The result of a diagnosis, as data: what diagnosis.json, the tables and the report are written from.
+
+#include <complex>
+#include <string>
+#include <vector>
+
+#include "diagnosis/effects/effect.hpp"
+#include "diagnosis/effects/element.hpp"
+#include "pem/case_parameters.hpp"
+
+namespace railpem::diagnosis {
+
+enum class Verdict { consistent, explained, ambiguous, unexplained, recording_fault };
+
+/// "consistent", "recording-fault", …
+std::string verdict_name(Verdict verdict);
+
+/// A fitted value with its 90 % interval.
+struct FittedParameter {
+    std::string name;
+    double value = 0.0, low = 0.0, high = 0.0;
+    std::string unit;
+};
+
+/// An effect that was left out.
+struct NamedEffect {
+    EffectInstance instance;  ///< with its fitted values
+    Element element = Element::body;
+    double probability = 0.0;
+    std::string says;    ///< one sentence
+    std::string source;  ///< literature
+    std::vector<FittedParameter> parameters;
+    double nats_fitted = 0.0;    ///< log-likelihood that it explains in what the fit saw
+    double nats_held_out = 0.0;  ///< and in what no fit saw
+};
+
+/// A set of effects with its posterior probability. {}: nothing is missing; {"unknown"}: something without a name.
+struct EffectSet {
+    std::vector<std::string> effects;
+    double probability = 0.0;
+};
+
+/// Another set of effects and how it stands against the first.
+struct Rival {
+    std::vector<std::string> effects;
+    std::vector<EffectInstance> instances;
+    double probability = 0.0;
+    double nats_behind = 0.0;  ///< log-evidence that it lacks
+    std::string why_not;
+    std::string would_separate;
+};
+
+/// How much a free correction at a place of the structure would explain.
+struct PlaceEvidence {
+    Element element = Element::body;
+    double probability = 0.0;
+    double nats = 0.0;
+};
+
+/// A band of a channel where the retuned case differs from the recording beyond chance.
+struct Mismatch {
+    std::string recording, channel;
+    std::string other_channel;  ///< of a cross-spectrum; empty: the channel's own level
+    double low_hz = 0.0, high_hz = 0.0;
+    double level_db = 0.0;                 ///< recording over model
+    double false_alarm_probability = 1.0;  ///< over all channels and bands together
+    Element element = Element::body;
+};
+
+/// Figures of one fit, on what it saw or not.
+struct FitFigures {
+    double rms_db = 0.0;                     ///< over channels and third octaves
+    double log_likelihood_per_second = 0.0;  ///< relative to the saturated model: 0 is the best possible
+};
+
+/// A number of the believed case after retuning.
+struct RetunedNumber {
+    std::string key, unit;
+    double believed = 0.0, value = 0.0, low = 0.0, high = 0.0;  ///< interval of 90 %
+    double tolerance = 0.0;                                      ///< relative standard deviation of the belief
+    double tolerances_away = 0.0;                                ///< signed
+    bool outside = false;                                        ///< more than two tolerances away
+};
+
+/// The dynamic stiffness that the recordings infer at a place, as a factor on the retuned one.
+struct InferredCurve {
+    Element element = Element::pad;
+    std::string unit;                        ///< of the dynamic stiffness or mass
+    std::vector<double> frequency_hz;
+    std::vector<std::complex<double>> value;
+    std::vector<double> real_low, real_high;  ///< 90 % band of the real part
+    std::vector<double> imaginary_low, imaginary_high;
+    std::vector<std::complex<double>> retuned, diagnosed;  ///< the laws of the retuned and of the diagnosed case; may be empty
+};
+
+/// One channel of one recording: PSDs on a common grid of bins, in the channel's squared unit per Hz.
+struct ChannelComparison {
+    std::string recording, channel;
+    double speed_m_per_s = 0.0;
+    std::vector<double> frequency_hz;
+    std::vector<double> measured, low, high;  ///< with the 90 % band of the estimate
+    std::vector<double> believed, retuned, diagnosed;
+    std::vector<double> band_centre_hz;  ///< third octaves: levels of recording over model, dB; NaN where the recording says nothing
+    std::vector<double> band_believed_db, band_retuned_db, band_diagnosed_db;
+};
+
+/// One recording as it was used.
+struct UsedRecording {
+    std::string name;
+    double speed_m_per_s = 0.0, speed_low = 0.0, speed_high = 0.0;  ///< as fitted, with 90 % interval
+    double stated_speed_m_per_s = 0.0, payload_kg = 0.0, seconds = 0.0, held_out_seconds = 0.0;
+    double low_hz = 0.0, high_hz = 0.0, window_s = 0.0, averages = 0.0;
+    std::vector<std::string> channels, channels_not_used, faults;
+    bool irregularity_measured = false;
+};
+
+struct Diagnosis {
+    Verdict verdict = Verdict::unexplained;
+    bool interrupted = false;  ///< ended early: what is known so far
+    std::string statement;
+    std::vector<NamedEffect> omitted;
+    std::vector<EffectSet> posterior;
+    std::vector<Rival> rivals;
+    std::vector<PlaceEvidence> places;  ///< ranked
+    std::vector<Mismatch> mismatch;     ///< most certain first
+    FitFigures before, retuned, after;
+    FitFigures held_out_before, held_out_retuned, held_out_after;
+    double hidden_by_retuning = 0.0;
+    std::vector<RetunedNumber> numbers;    ///< of the diagnosed case (of the retuned when nothing is named)
+    std::vector<RetunedNumber> retuned_numbers;  ///< with nothing added: what calibration would have hidden
+    std::vector<InferredCurve> curves;
+    std::vector<ChannelComparison> channels;
+    std::vector<UsedRecording> recordings;
+    std::vector<std::string> not_tested;  ///< effects that could not be, and why
+    std::vector<std::string> rests_on;    ///< what the verdict rests on: several speeds, a measured irregularity …
+    std::vector<std::string> remains;     ///< what stays unexplained
+    pem::CaseParameters diagnosed_numbers;        ///< the case before its effects, retuned
+    std::vector<EffectInstance> diagnosed_effects;  ///< its own and the named ones
+    double seconds_taken = 0.0;
+};
+
+}  // namespace railpem::diagnosis

@@ -1,0 +1,45 @@
+#pragma once
+// The most probable trial: retuning, and refitting with an effect added.
+
+#include <Eigen/Core>
+#include <functional>
+#include <vector>
+
+#include "diagnosis/likelihood.hpp"
+
+namespace railpem::diagnosis {
+
+/// A fit's way and end.
+struct FitOptions {
+    int iterations = 12;           ///< at the last stage
+    double least_gain = 0.1;       ///< nats: the fit ends when a step promises less
+    bool from_far = true;          ///< begin with a blunt likelihood (large floor) that is sharpened in stages
+    std::function<void()> between; ///< called between steps; may throw to stop
+};
+
+struct Fit {
+    Trial trial;
+    std::vector<Unknown> unknowns;
+    std::vector<double> values;
+    double log_likelihood = 0.0;  ///< of the fitted part, relative to the saturated model
+    double log_posterior = 0.0;   ///< with the beliefs: −½Σ((x − mean)/deviation)²
+    double log_evidence = 0.0;    ///< Laplace: log_posterior − ½ log det(1 + D·F·D), D the deviations
+    Eigen::MatrixXd information;  ///< of the data, Fisher
+    Eigen::VectorXd gradient;     ///< of the log-posterior at the end
+    Eigen::MatrixXd covariance;   ///< of the unknowns: (F + D⁻²)⁻¹
+    Predictions predictions;
+    int iterations = 0;
+    bool converged = false;
+
+    double deviation(std::size_t unknown) const;  ///< standard deviation of an unknown
+    const Unknown* find(const std::string& name, std::size_t* index = nullptr) const;
+};
+
+/// Fits `unknowns` from `start` by Fisher scoring with Levenberg damping within the bounds.
+Fit fit(const Trial& base, std::vector<Unknown> unknowns, std::vector<double> start, const LikelihoodContext& context,
+        const FitOptions& options = {});
+
+/// Means of the unknowns' beliefs.
+std::vector<double> means(const std::vector<Unknown>& unknowns);
+
+}  // namespace railpem::diagnosis

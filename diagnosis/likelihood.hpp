@@ -1,0 +1,64 @@
+#pragma once
+// How well a trial explains the cross-spectral matrices, and how that changes with every unknown.
+
+#include <Eigen/Core>
+#include <complex>
+#include <vector>
+
+#include "diagnosis/trial.hpp"
+
+namespace railpem::diagnosis {
+
+/// Which part of the recordings speaks.
+enum class Part { fitted, held_out, all };
+
+/// Predictions of a trial for every observation, without noise and floor.
+using Predictions = std::vector<ExpectedSpectra>;
+
+/// The derivative of the prediction of one observation with one unknown, or nothing when it does not move it.
+struct PredictionDerivative {
+    int observation = 0;
+    int unknown = 0;
+    std::vector<std::complex<float>> values;  ///< as ExpectedSpectra::values
+};
+
+/// Second-order picture of the log-likelihood around a trial.
+struct LikelihoodSlope {
+    double log_likelihood = 0.0;   ///< relative to the saturated model
+    Eigen::VectorXd gradient;      ///< Σ n tr(A_i R), R = L⁻¹ŜL⁻ᴴ − 1, A_i = L⁻¹ ∂_iS L⁻ᴴ
+    Eigen::MatrixXd information;   ///< Σ n tr(A_i A_j) (Fisher)
+};
+
+/// Everything that a likelihood is asked about.
+struct LikelihoodContext {
+    const BelievedCase* believed = nullptr;
+    const std::vector<Observation>* observations = nullptr;
+    Part part = Part::fitted;
+    double least_floor = 0.0;  ///< relative; large values blunt the likelihood while a fit is far away
+    int threads = 0;
+};
+
+/// Predictions of a trial; observations in parallel.
+Predictions predict(const Trial& trial, const LikelihoodContext& context);
+
+/// Numerical derivatives of the predictions with every unknown that moves them (not noise and floor).
+std::vector<PredictionDerivative> differentiate(const Trial& trial, const std::vector<Unknown>& unknowns,
+                                                const std::vector<double>& values, const Predictions& predictions,
+                                                const LikelihoodContext& context);
+
+/// Log-likelihood of averaged cross-spectra (complex Wishart; Yuen, Katafygiotis & Beck 2002) relative to the saturated
+/// model: −Σ n[log det S − log det Ŝ + tr(S⁻¹Ŝ) − p], S = prediction + noise + floor.
+double log_likelihood(const Trial& trial, const Predictions& predictions, const LikelihoodContext& context);
+
+/// The same with its slope. The sums are made in a fixed order, whatever the number of threads.
+LikelihoodSlope likelihood_slope(const Trial& trial, const std::vector<Unknown>& unknowns, const Predictions& predictions,
+                                 const std::vector<PredictionDerivative>& derivatives, const LikelihoodContext& context);
+
+/// The measured spectra of the part in question.
+const MeasuredSpectra& measured(const Observation& observation, Part part);
+
+/// Prediction with noise and floor at a bin of an observation.
+Eigen::MatrixXcd complete_prediction(const Trial& trial, const Observation& observation, std::size_t index,
+                                     const ExpectedSpectra& prediction, std::size_t bin, double least_floor = 0.0);
+
+}  // namespace railpem::diagnosis

@@ -1,0 +1,56 @@
+#pragma once
+// A recording as the likelihood sees it.
+
+#include <complex>
+#include <string>
+#include <vector>
+
+#include "diagnosis/expected_spectra.hpp"
+#include "recordings/recording.hpp"
+#include "recordings/window.hpp"
+
+namespace railpem::diagnosis {
+
+/// Averaged cross-spectral matrices of the observed channels from one part of a recording.
+struct MeasuredSpectra {
+    std::vector<std::complex<double>> values;  ///< as in ExpectedSpectra
+    std::vector<double> log_determinant;       ///< per bin; 0 where the averages are too few for one
+    double averages = 0.0;                     ///< effective number per bin when all bins are used together
+    double seconds = 0.0;
+};
+
+/// One time series: a vehicle at one speed and load.
+struct Observation {
+    std::string name;
+    double speed_m_per_s = 0.0;
+    double speed_tolerance = 0.0;  ///< relative standard deviation
+    double payload_kg = 0.0;
+    std::vector<ObservedChannel> channels;
+    std::vector<std::string> channel_names;    ///< as the recording calls them
+    std::vector<bool> unknown_scale;           ///< per channel
+    std::vector<double> noise_psd;             ///< per channel: first guess, squared unit per Hz
+    recordings::WindowKernel kernel;
+    ExpectationOptions expectation;
+    MeasuredSpectra fitted;    ///< what fits may see
+    MeasuredSpectra held_out;  ///< what no fit sees
+    MeasuredSpectra all;
+
+    std::size_t first_bin() const;
+    std::size_t bins() const { return all.log_determinant.size(); }
+    double frequency(std::size_t bin) const { return static_cast<double>(first_bin() + bin) * kernel.bin_hz(); }
+};
+
+/// How a recording is turned into spectra.
+struct ObservationOptions {
+    double window_s = 4.0;          ///< long windows see finer differences; shorter ones forgive (diagnosis README)
+    double low_hz = 2.0;            ///< below, a minute has too few waves
+    double high_hz = 175.0;
+    double held_out_share = 0.25;   ///< of the end of the record, seen by no fit
+};
+
+/// Prepares a time series. The band is cut to where the believed irregularity excites at this speed.
+/// Throws parameters::ParameterError when no channel is one that the case has, or no usable band is left.
+Observation observe(const recordings::Recording& recording, const std::string& name,
+                    const pem::CaseParameters& believed, const ObservationOptions& options);
+
+}  // namespace railpem::diagnosis

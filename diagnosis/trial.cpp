@@ -1,0 +1,214 @@
+#include "diagnosis/trial.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "pem/contact.hpp"
+#include "pem/solution.hpp"
+
+namespace railpem::diagnosis {
+
+namespace {
+
+constexpr double kNodesPerOctave = 2.0;         ///< of the irregularity's nuisance: wavelengths that a structure cannot imitate
+constexpr double kIrregularityDeviation = 0.35;  ///< of a node, in log power: 1.5 dB, the scatter between sections of a line
+constexpr double kLevelDeviation = 0.35;        ///< of all nodes together
+constexpr double kPassingDeviation = 0.10;      ///< of the amplitude of sleeper passing computed from the case
+constexpr double kNoiseDeviation = 3.0;         ///< in log power: known to a factor of 20
+constexpr double kFloorMean = -7.6;             ///< log of 5e-4: what two sound simulators differ by
+constexpr double kFloorDeviation = 1.0;
+
+std::vector<double> spline_wavelengths(const std::vector<Observation>& observations) {
+    double shortest = 1e300, longest = 0.0;
+    for (const Observation& observation : observations) {
+        shortest = std::min(shortest, observation.speed_m_per_s / observation.expectation.high_hz);
+        longest = std::max(longest, observation.speed_m_per_s / observation.expectation.low_hz);
+    }
+    const int count = 1 + static_cast<int>(std::ceil(kNodesPerOctave * std::log2(longest / shortest)));
+    std::vector<double> nodes;
+    for (int i = 0; i < count; ++i) nodes.push_back(shortest * std::pow(longest / shortest, static_cast<double>(i) / (count - 1)));
+    return nodes;
+}
+
+/// The longest wave first belongs to spline nodes of increasing wavelength.
+void add_irregularity(const std::vector<Observation>& observations, std::vector<Unknown>& unknowns) {
+    const std::vector<double> nodes = spline_wavelengths(observations);
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+        unknowns.push_back({.kind = UnknownKind::irregularity,
+                            .name = fmt::format("irregularity at {:.2g} m", nodes[i]),
+                            .deviation = kIrregularityDeviation,
+                            .low = -4.0,
+                            .high = 4.0,
+                            .step = 1e-2,
+                            .index = static_cast<int>(i),
+                            .set = [nodes, i](Trial& trial, double x) {
+                                auto& spline = trial.numbers.irregularity.wave_correction;
+                                if (spline.wavelength_m.empty()) {
+                                    spline.wavelength_m = nodes;
+                                    spline.log_factor.assign(nodes.size(), 0.0);
+                                }
+                                spline.log_factor[i] = x;
+                            }});
+}
+
+void add_recording(const std::vector<Observation>& observations, std::vector<Unknown>& unknowns) {
+    for (std::size_t o = 0; o < observations.size(); ++o) {
+        const Observation& observation = observations[o];
+        const double speed = observation.speed_m_per_s;
+        unknowns.push_back({.kind = UnknownKind::speed,
+                            .name = "speed of " + observation.name,
+                            .deviation = observation.speed_tolerance,
+                            .low = -0.1,
+                            .high = 0.1,
+                            .step = 1e-5,
+                            .observation = static_cast<int>(o),
+                            .set = [o, speed](Trial& trial, double x) { trial.speed_m_per_s[o] = speed * std::exp(x); }});
+        for (std::size_t c = 0; c < observation.channels.size(); ++c) {
+            const double guess = std::log(observation.noise_psd[c]);
+            unknowns.push_back({.kind = UnknownKind::noise,
+                                .name = fmt::format("noise of {} in {}", observation.channel_names[c], observation.name),
+                                .mean = guess - 2.0,
+                                .deviation = kNoiseDeviation,
+                                .low = guess - 30.0,
+                                .high = guess + 3.0,
+                                .observation = static_cast<int>(o),
+                                .index = static_cast<int>(c),
+                                .set = [o, c](Trial& trial, double x) { trial.noise_psd[o][c] = std::exp(x); }});
+        }
+    }
+}
+
+void add_floor(const std::vector<Observation>& observations, std::vector<Unknown>& unknowns) {
+    for (int group = 0; group < kFloorGroups; ++group) {
+        const auto present = [&](const Observation& observation) {
+            return std::any_of(observation.channels.begin(), observation.channels.end(),
+                               [&](const ObservedChannel& channel) { return floor_group(channel.response) == group; });
+        };
+        if (std::none_of(observations.begin(), observations.end(), present)) continue;
+        for (int node = 0; node < kFloorNodeCount; ++node) {
+            const int index = group * kFloorNodeCount + node;
+            unknowns.push_back({.kind = UnknownKind::floor,
+                                .name = fmt::format("floor {} at {:g} Hz", group, kFloorNodes[node]),
+                                .mean = kFloorMean,
+                                .deviation = kFloorDeviation,
+                                .low = -14.0,
+                                .high = 1.0,
+                                .index = index,
+                                .set = [index](Trial& trial, double x) {
+                                    trial.floor[static_cast<std::size_t>(index)] = std::exp(x);
+                                }});
+        }
+    }
+}
+
+}  // namespace
+
+int floor_group(std::size_t response) {
+    const std::string& where = pem::response_names()[response].where;
+    return where.starts_with("body") ? 0 : where.starts_with("bogie") ? 1 : where.starts_with("wheel") ? 2 : 3;
+}
+
+FloorPlace floor_place(double frequency_hz) {
+    const double f = std::clamp(frequency_hz, kFloorNodes[0], kFloorNodes[kFloorNodeCount - 1]);
+    int node = 0;
+    while (node + 2 < kFloorNodeCount && f > kFloorNodes[node + 1]) ++node;
+    return {node, std::log(f / kFloorNodes[node]) / std::log(kFloorNodes[node + 1] / kFloorNodes[node])};
+}
+
+pem::CaseParameters case_of(const Trial& trial, const BelievedCase& believed, const Observation& observation) {
+    pem::CaseParameters parameters = trial.numbers;
+    apply(trial.effects, believed.access, parameters, true);
+    parameters.vehicle.payload_kg = observation.payload_kg;
+    parameters.solver.moving = true;
+    parameters.frequency.to_hz = observation.expectation.high_hz + 10.0;
+    return parameters;
+}
+
+Trial believed_trial(const BelievedCase& believed, const std::vector<Observation>& observations) {
+    Trial trial{.numbers = believed.numbers, .effects = believed.effects};
+    for (const Observation& observation : observations) {
+        trial.speed_m_per_s.push_back(observation.speed_m_per_s);
+        trial.noise_psd.push_back(observation.noise_psd);
+    }
+    return trial;
+}
+
+std::vector<Unknown> nuisance_unknowns(const BelievedCase& believed, const std::vector<Observation>& observations) {
+    std::vector<Unknown> unknowns;
+    for (const BelievedNumber& number : believed.uncertain)
+        unknowns.push_back({.kind = UnknownKind::number,
+                            .name = number.key,
+                            .deviation = number.tolerance,
+                            .low = std::log(0.05),
+                            .high = std::log(20.0),
+                            .set = [&access = believed.access, number](Trial& trial, double x) {
+                                access.set(trial.numbers, number.key, number.value * std::exp(x));
+                            }});
+    add_irregularity(observations, unknowns);
+    unknowns.push_back({.kind = UnknownKind::irregularity,
+                        .name = "irregularity level",
+                        .deviation = kLevelDeviation,
+                        .low = -4.0,
+                        .high = 4.0,
+                        .step = 1e-2,
+                        .index = -1,
+                        .set = [level = believed.numbers.irregularity.level_db](Trial& trial, double x) {
+                            trial.numbers.irregularity.level_db = level + x * 10.0 / std::log(10.0);
+                        }});
+    const double passing = believed.numbers.sleeper_passing.amplitude_factor;
+    if (passing > 0.0)
+        unknowns.push_back({.kind = UnknownKind::passing,
+                            .name = "sleeper passing",
+                            .deviation = kPassingDeviation,
+                            .low = -3.0,
+                            .high = 3.0,
+                            .step = 1e-2,
+                            .set = [passing](Trial& trial, double x) {
+                                trial.numbers.sleeper_passing.amplitude_factor = passing * std::exp(x);
+                            }});
+    add_recording(observations, unknowns);
+    add_floor(observations, unknowns);
+    return unknowns;
+}
+
+double to_coordinate(const EffectParameter& parameter, double value) {
+    return parameter.spread == Spread::logarithmic ? std::log(value) : value;
+}
+
+double from_coordinate(const EffectParameter& parameter, double coordinate) {
+    return parameter.spread == Spread::logarithmic ? std::exp(coordinate) : coordinate;
+}
+
+std::vector<Unknown> effect_unknowns(const EffectInstance& instance, std::size_t effect_index) {
+    const Effect* effect = find_effect(instance.effect);
+    assert(effect);
+    std::vector<Unknown> unknowns;
+    for (const EffectParameter& parameter : effect->parameters) {
+        const bool replaced = std::any_of(effect->choices.begin(), effect->choices.end(), [&](const EffectChoice& choice) {
+            return choice.replaces == parameter.name && instance.choices.count(choice.name) > 0;
+        });
+        if (replaced) continue;
+        const double low = to_coordinate(parameter, parameter.low), high = to_coordinate(parameter, parameter.high);
+        unknowns.push_back({.kind = UnknownKind::effect,
+                            .name = effect->id + "." + parameter.name,
+                            .mean = 0.5 * (low + high),
+                            .deviation = 0.5 * (high - low),
+                            .low = low,
+                            .high = high,
+                            .step = 1e-3 * (high - low),
+                            .index = static_cast<int>(effect_index),
+                            .set = [parameter, effect_index](Trial& trial, double x) {
+                                trial.effects[effect_index].values[parameter.name] = from_coordinate(parameter, x);
+                            }});
+    }
+    return unknowns;
+}
+
+void set_values(Trial& trial, const std::vector<Unknown>& unknowns, const std::vector<double>& values) {
+    for (std::size_t i = 0; i < unknowns.size(); ++i) unknowns[i].set(trial, values[i]);
+}
+
+}  // namespace railpem::diagnosis
