@@ -1,0 +1,181 @@
+#include "diagnosis/candidates.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <set>
+
+#include "pem/sensor_chain.hpp"
+#include "pem/solution.hpp"
+
+namespace railpem::diagnosis {
+
+namespace {
+
+constexpr int kFrequencyPoints = 10;   ///< of a grid over a frequency or wavelength
+constexpr int kOtherPoints = 3;
+constexpr double kMildShare = 0.3;     ///< of the way from the weak end of a strength's range
+constexpr double kMildGain = 1.05, kMildDelay_s = 0.5e-3;
+
+/// The widest band that any recording offers, Hz.
+std::pair<double, double> common_band(const std::vector<Observation>& observations) {
+    double low = 1e300, high = 0.0;
+    for (const Observation& observation : observations) {
+        low = std::min(low, observation.expectation.low_hz);
+        high = std::max(high, observation.expectation.high_hz);
+    }
+    return {low, high};
+}
+
+std::vector<double> grid(const EffectParameter& parameter, double low, double high, int points) {
+    std::vector<double> values;
+    for (int i = 0; i < points; ++i) {
+        const double share = points == 1 ? 0.5 : static_cast<double>(i) / (points - 1);
+        values.push_back(parameter.spread == Spread::logarithmic || low > 0.0 ? low * std::pow(high / low, share) : low + share * (high - low));
+    }
+    return values;
+}
+
+/// Values of a parameter from which to look.
+std::vector<double> looking_points(const Effect& effect, const EffectParameter& parameter, const std::vector<Observation>& observations) {
+    if (parameter.name == "gain") return {kMildGain, -1.0};
+    if (parameter.name == "delay_s") return {kMildDelay_s};
+    if (parameter.name == "frequency_hz") {
+        const auto [low, high] = common_band(observations);
+        const double from = std::max(parameter.low, 0.9 * low), to = std::min(parameter.high, 1.5 * high);
+        if (from >= to) return {parameter.typical};
+        return grid(parameter, from, to, kFrequencyPoints);
+    }
+    if (parameter.name == "wavelength_m" || parameter.name == "spacing_m") {
+        double shortest = 1e300, longest = 0.0;
+        for (const Observation& observation : observations) {
+            shortest = std::min(shortest, observation.speed_m_per_s / observation.expectation.high_hz);
+            longest = std::max(longest, observation.speed_m_per_s / observation.expectation.low_hz);
+        }
+        if (parameter.name == "spacing_m") longest = parameter.high;  // joints show by their harmonics
+        const double from = std::max(parameter.low, shortest), to = std::min(parameter.high, longest);
+        return from < to ? grid(parameter, from, to, 2 * kFrequencyPoints) : std::vector<double>{};
+    }
+    if (!parameter.strength) {
+        if (effect.id == "support-compliance") return grid(parameter, parameter.low, parameter.high, kOtherPoints);
+        return {parameter.typical};
+    }
+    if (!std::isfinite(parameter.nothing) || parameter.nothing >= parameter.high)  // weak at the upper end
+        return {parameter.spread == Spread::logarithmic ? parameter.high * std::pow(parameter.low / parameter.high, kMildShare)
+                                                        : parameter.high + kMildShare * (parameter.low - parameter.high)};
+    const double weak = std::max(parameter.low, std::min(parameter.nothing, parameter.high));
+    return {parameter.spread == Spread::logarithmic ? weak * std::pow(parameter.high / weak, kMildShare)
+                                                    : weak + kMildShare * (parameter.high - weak)};
+}
+
+std::vector<std::string> channel_options(const EffectChoice& choice, const std::vector<Observation>& observations) {
+    std::vector<std::string> kept;
+    for (const std::string& option : choice.options)
+        for (const Observation& observation : observations) {
+            const std::string where = pem::measured_response(option);
+            const bool there = std::any_of(observation.channels.begin(), observation.channels.end(), [&](const ObservedChannel& channel) {
+                return pem::response_names()[channel.response].where == where;
+            });
+            if (there && std::find(kept.begin(), kept.end(), option) == kept.end()) kept.push_back(option);
+        }
+    return kept;
+}
+
+/// Orders of a wheel whose line lies in the band of a recording.
+std::vector<std::string> order_options(const EffectChoice& choice, const Trial& trial, const std::vector<Observation>& observations) {
+    std::vector<std::string> kept;
+    for (const std::string& option : choice.options)
+        for (const Observation& observation : observations) {
+            const double line = std::stod(option) * observation.speed_m_per_s / (2.0 * std::numbers::pi * trial.numbers.vehicle.wheel_radius_m);
+            if (line < observation.expectation.low_hz || line > observation.expectation.high_hz) continue;
+            kept.push_back(option);
+            break;
+        }
+    return kept;
+}
+
+std::vector<std::string> options_of(const EffectChoice& choice, const Trial& trial, const std::vector<Observation>& observations) {
+    if (choice.name == "channel") return channel_options(choice, observations);
+    if (choice.name == "order") return order_options(choice, trial, observations);
+    if (choice.name == "every") return {"2", "3", "4", "5", "6", "8", "10", "12", "16", "20"};
+    return choice.options;
+}
+
+void add_choices(const Effect& effect, std::size_t index, const EffectInstance& so_far, const Trial& trial,
+                 const std::vector<Observation>& observations, std::vector<EffectInstance>& variants) {
+    if (index == effect.choices.size()) {
+        variants.push_back(so_far);
+        return;
+    }
+    const EffectChoice& choice = effect.choices[index];
+    if (!choice.required) add_choices(effect, index + 1, so_far, trial, observations, variants);
+    for (const std::string& option : options_of(choice, trial, observations)) {
+        EffectInstance with = so_far;
+        with.choices[choice.name] = option;
+        add_choices(effect, index + 1, with, trial, observations, variants);
+    }
+}
+
+void add_values(const Effect& effect, std::size_t index, const EffectInstance& so_far, const std::vector<Observation>& observations,
+                std::vector<EffectInstance>& variants) {
+    if (index == effect.parameters.size()) {
+        variants.push_back(so_far);
+        return;
+    }
+    const EffectParameter& parameter = effect.parameters[index];
+    const bool replaced = std::any_of(effect.choices.begin(), effect.choices.end(), [&](const EffectChoice& choice) {
+        return choice.replaces == parameter.name && so_far.choices.count(choice.name) > 0;
+    });
+    if (replaced) return add_values(effect, index + 1, so_far, observations, variants);
+    for (const double value : looking_points(effect, parameter, observations)) {
+        EffectInstance with = so_far;
+        with.values[parameter.name] = value;
+        add_values(effect, index + 1, with, observations, variants);
+    }
+}
+
+bool is_two_sided(const Effect& effect) {
+    return effect.id == "sensor-gain" || effect.id == "timing-skew" || effect.id == "irregularity-spectrum" || effect.id == "sleeper-passing" ||
+           effect.id == "contact-nonlinearity";
+}
+
+}  // namespace
+
+CandidateList candidates(const BelievedCase& believed, const Trial& trial, const std::vector<Observation>& observations) {
+    CandidateList list;
+    const pem::CaseParameters parameters = case_of(trial, believed, observations.front());
+    for (const Effect& effect : effects()) {
+        if (effect.id == "parameter-error") continue;
+        if (effect.obstacle)
+            if (const auto obstacle = effect.obstacle(parameters)) {
+                list.not_tested.push_back({effect.id, obstacle->problem});
+                continue;
+            }
+        std::vector<EffectInstance> chosen, variants;
+        add_choices(effect, 0, {.effect = effect.id}, trial, observations, chosen);
+        for (const EffectInstance& instance : chosen) add_values(effect, 0, instance, observations, variants);
+        if (variants.empty()) list.not_tested.push_back({effect.id, "it would show in no band or channel of the recordings"});
+        std::set<std::map<std::string, std::string>> places;
+        for (const EffectInstance& instance : variants) places.insert(instance.choices);
+        for (EffectInstance& instance : variants)
+            list.candidates.push_back({.instance = std::move(instance),
+                                       .two_sided = is_two_sided(effect),
+                                       .log_prior = -std::log(static_cast<double>(effects().size() * places.size()))});
+    }
+    return list;
+}
+
+bool same_variant(const EffectInstance& first, const EffectInstance& second) {
+    return first.effect == second.effect && first.choices == second.choices;
+}
+
+std::string label_of(const EffectInstance& instance) {
+    std::string text;
+    for (const auto& [name, value] : instance.choices) text += (text.empty() ? "" : ", ") + name + " " + value;
+    return text.empty() ? instance.effect : fmt::format("{} ({})", instance.effect, text);
+}
+
+}  // namespace railpem::diagnosis

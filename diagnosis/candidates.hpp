@@ -1,0 +1,40 @@
+#pragma once
+// The effects of the catalogue as hypotheses about a believed case and its recordings.
+
+#include <string>
+#include <vector>
+
+#include "diagnosis/trial.hpp"
+
+namespace railpem::diagnosis {
+
+/// A hypothesis: an instance of an effect at a mild strength, from which screening looks and fits start.
+struct Candidate {
+    EffectInstance instance;
+    bool two_sided = false;       ///< the opposite sign of the strength is as believable
+    double log_prior = 0.0;       ///< of this variant: the effect's, shared among its variants
+};
+
+/// An effect that could not be tested, and why.
+struct NotTested {
+    std::string effect;
+    std::string why;
+};
+
+struct CandidateList {
+    std::vector<Candidate> candidates;
+    std::vector<NotTested> not_tested;
+};
+
+/// All variants of all effects that the case allows and the recordings could show: each wheel and order whose line lies
+/// in the band, each channel, each stage, and a grid over parameters that are no strength (frequencies, wavelengths).
+/// Values beyond tolerance (parameter-error) are not among them: the retuned fit tells those by itself.
+CandidateList candidates(const BelievedCase& believed, const Trial& trial, const std::vector<Observation>& observations);
+
+/// The same effect in the same place: identifier and choices agree.
+bool same_variant(const EffectInstance& first, const EffectInstance& second);
+
+/// "wheel-out-of-roundness (wheel 2, order 3)".
+std::string label_of(const EffectInstance& instance);
+
+}  // namespace railpem::diagnosis

@@ -1,0 +1,127 @@
+#include "diagnosis/screen.hpp"
+
+#include <omp.h>
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+#include "parameters/parameter_error.hpp"
+
+namespace railpem::diagnosis {
+
+namespace {
+
+constexpr std::size_t kBatch = 60;  ///< candidates whose derivatives are held in memory at a time
+
+/// Differences of the predictions with and without each candidate; empty where a candidate is impossible.
+std::vector<PredictionDerivative> directions(const Fit& fit, const std::vector<Candidate>& candidates, std::size_t first, std::size_t count,
+                                             const LikelihoodContext& context) {
+    const std::vector<Observation>& observations = *context.observations;
+    std::vector<PredictionDerivative> result(count * observations.size());
+    const int threads = context.threads > 0 ? context.threads : omp_get_max_threads();
+#pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
+    for (std::size_t i = 0; i < result.size(); ++i) {
+        const std::size_t c = i / observations.size(), o = i % observations.size();
+        PredictionDerivative& own = result[i];
+        own.observation = static_cast<int>(o);
+        own.unknown = static_cast<int>(fit.unknowns.size() + c);
+        Trial trial = fit.trial;
+        trial.effects.push_back(candidates[first + c].instance);
+        const Observation& observation = observations[o];
+        try {
+            const ExpectedSpectra with = expected_spectra(case_of(trial, *context.believed, observation), trial.speed_m_per_s[o], observation.kernel,
+                                                          observation.channels, {}, observation.expectation);
+            own.values.resize(with.values.size());
+            for (std::size_t k = 0; k < with.values.size(); ++k)
+                own.values[k] = std::complex<float>(with.values[k] - fit.predictions[o].values[k]);
+        } catch (const parameters::ParameterError&) {
+            own.values.assign(fit.predictions[o].values.size(), 0.0f);
+        }
+    }
+    return result;
+}
+
+std::vector<Unknown> with_placeholders(const Fit& fit, std::size_t count) {
+    std::vector<Unknown> all = fit.unknowns;
+    for (std::size_t i = 0; i < count; ++i) all.push_back({.kind = UnknownKind::effect, .name = "direction"});
+    return all;
+}
+
+/// Information of the fit's unknowns with their beliefs.
+Eigen::MatrixXd curvature_of(const Fit& fit, const Eigen::MatrixXd& information) {
+    const long own = static_cast<long>(fit.unknowns.size());
+    Eigen::MatrixXd curvature = information.topLeftCorner(own, own);
+    for (long i = 0; i < own; ++i) curvature(i, i) += 1.0 / (fit.unknowns[static_cast<std::size_t>(i)].deviation * fit.unknowns[static_cast<std::size_t>(i)].deviation);
+    return curvature;
+}
+
+}  // namespace
+
+std::vector<Promise> screen(const Fit& fit, const std::vector<Candidate>& candidates, const LikelihoodContext& context) {
+    const std::vector<PredictionDerivative> nuisance = differentiate(fit.trial, fit.unknowns, fit.values, fit.predictions, context);
+    const long own = static_cast<long>(fit.unknowns.size());
+    std::vector<Promise> promises;
+    for (std::size_t first = 0; first < candidates.size(); first += kBatch) {
+        const std::size_t count = std::min(kBatch, candidates.size() - first);
+        std::vector<PredictionDerivative> derivatives = directions(fit, candidates, first, count, context);
+        derivatives.insert(derivatives.begin(), nuisance.begin(), nuisance.end());
+        const LikelihoodSlope slope = likelihood_slope(fit.trial, with_placeholders(fit, count), fit.predictions, derivatives, context);
+        const Eigen::LDLT<Eigen::MatrixXd> factor(curvature_of(fit, slope.information));
+        const Eigen::MatrixXd cross = slope.information.topRightCorner(own, static_cast<long>(count));
+        const Eigen::MatrixXd projected = factor.solve(cross);
+        for (long c = 0; c < static_cast<long>(count); ++c) {
+            const double information = slope.information(own + c, own + c) - cross.col(c).dot(projected.col(c));
+            const double gradient = slope.gradient(own + c) - projected.col(c).dot(fit.gradient);
+            Promise promise{.candidate = first + static_cast<std::size_t>(c)};
+            if (information > 1e-9 * slope.information(own + c, own + c) && information > 0.0) {
+                promise.strength = gradient / information;
+                if (promise.strength > 0.0 || candidates[promise.candidate].two_sided) promise.gain = 0.5 * gradient * gradient / information;
+            }
+            promises.push_back(promise);
+        }
+    }
+    std::stable_sort(promises.begin(), promises.end(), [](const Promise& a, const Promise& b) { return a.gain > b.gain; });
+    return promises;
+}
+
+FreedomPromise promise_of(const Fit& fit, const std::vector<Unknown>& freedom, const LikelihoodContext& context) {
+    std::vector<Unknown> all = fit.unknowns;
+    all.insert(all.end(), freedom.begin(), freedom.end());
+    std::vector<double> values = fit.values;
+    for (const Unknown& unknown : freedom) values.push_back(unknown.mean);
+    const std::vector<PredictionDerivative> derivatives = differentiate(fit.trial, all, values, fit.predictions, context);
+    const LikelihoodSlope slope = likelihood_slope(fit.trial, all, fit.predictions, derivatives, context);
+    const long own = static_cast<long>(fit.unknowns.size()), count = static_cast<long>(freedom.size());
+    const Eigen::LDLT<Eigen::MatrixXd> factor(curvature_of(fit, slope.information));
+    const Eigen::MatrixXd cross = slope.information.topRightCorner(own, count);
+    const Eigen::MatrixXd projected = factor.solve(cross);
+    const Eigen::MatrixXd information = slope.information.bottomRightCorner(count, count) - cross.transpose() * projected;
+    const Eigen::VectorXd gradient = slope.gradient.tail(count) - projected.transpose() * fit.gradient;
+    Eigen::VectorXd deviation(count);
+    for (long i = 0; i < count; ++i) deviation(i) = freedom[static_cast<std::size_t>(i)].deviation;
+    const Eigen::MatrixXd scaled = Eigen::MatrixXd::Identity(count, count) + deviation.asDiagonal() * information * deviation.asDiagonal();
+    const Eigen::LLT<Eigen::MatrixXd> own_factor(scaled);
+    const Eigen::VectorXd right = deviation.asDiagonal() * gradient;
+    FreedomPromise promise;
+    const Eigen::VectorXd solved = own_factor.solve(right);
+    promise.values = deviation.asDiagonal() * solved;
+    promise.covariance = deviation.asDiagonal() * own_factor.solve(Eigen::MatrixXd::Identity(count, count)) * deviation.asDiagonal();
+    promise.nats = 0.5 * right.dot(solved);
+    for (long i = 0; i < count; ++i) promise.nats -= std::log(own_factor.matrixLLT()(i, i));
+    return promise;
+}
+
+double release_gain(const Fit& fit, std::size_t unknown, double wide) {
+    const Unknown& own = fit.unknowns[unknown];
+    const double variance = fit.covariance(static_cast<long>(unknown), static_cast<long>(unknown));
+    const double belief = own.deviation * own.deviation;
+    const double precision = 1.0 / variance - 1.0 / belief;  // what the data alone say of it
+    if (precision <= 1e-9 / belief) return 0.0;
+    const double data = 1.0 / precision;
+    const double distance = data * (fit.values[unknown] / variance - own.mean / belief) - own.mean;
+    const double narrow_sum = data + belief, wide_sum = data + wide * wide;
+    return 0.5 * std::log(narrow_sum / wide_sum) + 0.5 * distance * distance * (1.0 / narrow_sum - 1.0 / wide_sum);
+}
+
+}  // namespace railpem::diagnosis
