@@ -1,5 +1,6 @@
 #pragma once
 
+#include "lanes/factor_curve.hpp"
 #include "parameters/field.hpp"
 
 namespace railpem::pem {
@@ -12,6 +13,7 @@ struct ContactParameters {
     double nonlinearity_factor = 0.0;
     /// Half length of the contact patch that averages short waves (Remington 1987); 0: a point.
     double patch_half_length_m = 0.0;
+    lanes::FactorCurve correction;  ///< factor on the linear contact stiffness; free correction of a diagnosis, 1 when empty
 };
 
 parameters::Fields<ContactParameters> contact_fields();

@@ -36,6 +36,7 @@ CoupledModel coupled_model(const CaseParameters& parameters, double speed_m_per_
     if (parameters.track.pads.preload_strength > 0.0) model.warnings = equilibrium.warnings;
     const double constant = contact_constant(parameters.contact, parameters.vehicle.wheel_radius_m);
     model.contact_compliance.fill(1.0 / contact_stiffness(constant, wheel_load_n(parameters)));
+    model.contact_correction = parameters.contact.correction;
     if (parameters.solver.moving) {
         model.convected = separations(model.wheels_m);
         model.convected_speed_m_per_s = speed_m_per_s;
@@ -59,6 +60,15 @@ void invert(WheelMatrix& m) {
             for (int j = 0; j < 4; ++j) m[i][j] -= factor * m[k][j];
         }
     }
+}
+
+void add_contact_compliance(const CoupledModel& model, lanes::Real omega, WheelMatrix& matrix) {
+    if (model.contact_correction.empty()) {
+        for (int i = 0; i < 4; ++i) matrix[i][i].re += model.contact_compliance[i];
+        return;
+    }
+    const Complex inverse = lanes::reciprocal(model.contact_correction.at(omega));
+    for (int i = 0; i < 4; ++i) matrix[i][i] += inverse * model.contact_compliance[i];
 }
 
 /// R(v) − R(0) for the lines of the group.
@@ -86,7 +96,7 @@ const GroupSolution& solve_group(const CoupledModel& model, lanes::Real omega, C
     if (!model.convected.empty()) add_convected_change(model, omega, solution.rail);
     for (int i = 0; i < 4; ++i)
         for (int j = 0; j < 4; ++j) solution.forces[i][j] = solution.car.wheel(i, j) + solution.rail[i][j];
-    for (int i = 0; i < 4; ++i) solution.forces[i][i].re += model.contact_compliance[i];
+    add_contact_compliance(model, omega, solution.forces);
     invert(solution.forces);
     return solution;
 }

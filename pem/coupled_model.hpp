@@ -24,7 +24,8 @@ struct CoupledModel {
     vehicle::HalfVehicle car;
     std::unique_ptr<RailModel> rail;
     std::vector<double> wheels_m;             ///< positions of the wheels, front first
-    std::array<double, 4> contact_compliance{};  ///< 1/K_h per wheel, m/N
+    std::array<double, 4> contact_compliance{};  ///< 1/K_h per wheel without the correction, m/N
+    lanes::FactorCurve contact_correction;       ///< of K_h, as in ContactParameters
     std::vector<ConvectedPair> convected;        ///< empty at rest; else the distinct separations of the wheels
     double convected_speed_m_per_s = 0.0;
     std::vector<std::string> warnings;

@@ -35,7 +35,7 @@ double gaussian_mean(Function&& value) {
     return sum * 18.0 / kPoints / std::sqrt(kTwoPi);
 }
 
-/// Mean squares that the linearisation needs.
+/// Mean squares that the linearisation needs. The contact force is that which compresses the uncorrected contact as much.
 struct MeanSquares {
     std::array<double, 4> primary_velocity{}, contact_force{};
     std::array<double, 2> secondary_velocity{};
@@ -52,6 +52,7 @@ MeanSquares mean_squares(const CaseParameters& parameters, const std::vector<Sou
         for (int lane = 0; lane < lanes::width; ++lane) group.omega[lane] = kTwoPi * (grid.from_hz + std::min(first + lane, lines - 1) * step);
         const GroupSolution& solution = solve_group(model, group.omega, workspace);
         const int count = std::min(lanes::width, lines - first);
+        const lanes::Real softening = 1.0 / lanes::norm(model.contact_correction.at(group.omega));
         for (const Source& source : sources) {
             const WheelVector force = contact_forces(solution, source.amplitude(group));
             const auto add = [&](const std::array<lanes::Complex, 4>& receptance, double& sum) {
@@ -62,7 +63,7 @@ MeanSquares mean_squares(const CaseParameters& parameters, const std::vector<Sou
             };
             for (std::size_t e = 0; e < 4; ++e) {
                 add(solution.car.primary[e], sums.primary_velocity[e]);
-                const lanes::Real square = lanes::norm(force[e]) * step;
+                const lanes::Real square = lanes::norm(force[e]) * softening * step;
                 for (int lane = 0; lane < count; ++lane) sums.contact_force[e] += square[lane];
             }
             for (std::size_t e = 0; e < 2; ++e) add(solution.car.secondary[e], sums.secondary_velocity[e]);

@@ -26,6 +26,7 @@ std::complex<double> sensor_transfer(const SensorParameters& sensor, double freq
         const double x = frequency_hz / sensor.resonance_frequency_hz;
         transfer /= std::complex<double>(1.0 - x * x, 2.0 * sensor.resonance_damping_ratio * x);
     }
+    if (!sensor.correction.empty()) transfer *= sensor.correction.at(2.0 * std::numbers::pi * frequency_hz);
     return transfer;
 }
 

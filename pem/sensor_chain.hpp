@@ -13,7 +13,7 @@ namespace railpem::pem {
 /// Empty when there is no such channel.
 std::string measured_response(const std::string& channel);
 
-/// Complex factor of gain, mounting resonance and delay: g·e^{−iωτ}/(1 − (f/f_m)² + 2iζf/f_m).
+/// Complex factor of gain, mounting resonance and delay: g·e^{−iωτ}/(1 − (f/f_m)² + 2iζf/f_m), times the sensor's correction.
 std::complex<double> sensor_transfer(const SensorParameters& sensor, double frequency_hz);
 
 /// PSD of the additive noise, (m/s²)²/Hz: C·(f/10 Hz)^(slope/(10·log10 2)) with C such that the integral from 0.5 Hz to

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "parameters/field.hpp"
+#include "spectra/log_spline.hpp"
 
 namespace railpem::spectra {
 
@@ -49,6 +50,9 @@ struct IrregularityParameters {
     double slope_db_per_octave = 0.0;
     std::vector<Corrugation> corrugation;
     std::vector<RailJoints> joints;
+    LogSpline wave_correction;  ///< factor on the broadband power spectrum; free correction of a diagnosis, 1 when empty
+    /// Factor on the power spectrum in time, corrugation included; free correction of a diagnosis, 1 when empty.
+    LogFrequencySpline frequency_correction;
 };
 
 parameters::Fields<IrregularityParameters> irregularity_fields();

@@ -65,6 +65,7 @@ double irregularity_psd_m3(const IrregularityParameters& irregularity, double cy
     double sum = 0.0;
     for (const IrregularityBand& band : irregularity.bands) sum += band_psd_m3(band, cycles_per_m);
     if (sum > 0.0) sum *= correction(irregularity, cycles_per_m);
+    if (!irregularity.wave_correction.empty()) sum *= irregularity.wave_correction.at(1.0 / cycles_per_m);
     for (const Corrugation& corrugation : irregularity.corrugation)
         sum += corrugation_psd_m3(corrugation, cycles_per_m);
     return sum;
@@ -73,7 +74,9 @@ double irregularity_psd_m3(const IrregularityParameters& irregularity, double cy
 double irregularity_psd_m2_per_hz(const IrregularityParameters& irregularity, double frequency_hz,
                                   double speed_m_per_s) {
     assert(frequency_hz > 0.0 && speed_m_per_s > 0.0);
-    return irregularity_psd_m3(irregularity, frequency_hz / speed_m_per_s) / speed_m_per_s;
+    const double psd = irregularity_psd_m3(irregularity, frequency_hz / speed_m_per_s) / speed_m_per_s;
+    if (irregularity.frequency_correction.empty()) return psd;
+    return psd * irregularity.frequency_correction.at(frequency_hz);
 }
 
 }  // namespace railpem::spectra

@@ -117,6 +117,10 @@ SupportLaw::SupportLaw(const PadParameters& pads, const SupportParameters& suppo
         if (!rigid_) below_.set(lane, support_receptance(support, frequency));
     }
     dashpot_ = lanes::Complex(lanes::Real{}, damping * omega);
+    if (pads.correction.empty()) return;
+    const lanes::Complex correction = pads.correction.at(omega);
+    shape_ = shape_ * correction;
+    dashpot_ = dashpot_ * correction;
 }
 
 lanes::Complex SupportLaw::stiffness(double pad_stiffness_n_per_m, double scale) const {

@@ -64,6 +64,7 @@ ModalRail modal_rail(const TrackParameters& track, const std::vector<double>& pa
     result.loss_factor = rail.loss_factor;
     result.mass_kg_per_m = rail.mass_kg_per_m;
     result.dampers = track.rail_dampers;
+    result.correction = rail.correction;
     return result;
 }
 
@@ -71,7 +72,8 @@ ModalReceptance modal_receptance(const ModalRail& rail, double frequency_hz,
                                  const Eigen::VectorXcd& seat_stiffness_n_per_m) {
     assert(frequency_hz > 0.0 && seat_stiffness_n_per_m.size() == rail.pad_shape.rows());
     const double omega = 2.0 * std::numbers::pi * frequency_hz;
-    const std::complex<double> mass_ratio = 1.0 + damper_mass_kg_per_m(rail.dampers, frequency_hz) / rail.mass_kg_per_m;
+    std::complex<double> mass_ratio = 1.0 + damper_mass_kg_per_m(rail.dampers, frequency_hz) / rail.mass_kg_per_m;
+    if (!rail.correction.empty()) mass_ratio *= rail.correction.at(omega);
     const std::complex<double> rigidity(1.0, rail.loss_factor);
 
     // Real and imaginary part apart: half the work of a complex product with real mode shapes.

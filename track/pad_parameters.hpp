@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "lanes/factor_curve.hpp"
 #include "parameters/field.hpp"
 
 namespace railpem::track {
@@ -41,6 +42,8 @@ struct PadParameters {
     std::vector<double> table_frequency_hz;
     std::vector<double> table_storage_ratio;
     std::vector<double> table_loss_factor;
+
+    lanes::FactorCurve correction;  ///< factor on K_j(f), dashpot included; free correction of a diagnosis, 1 when empty
 };
 
 /// Fasteners that carry little or nothing. Every n-th seat (`every`), or a random share (`fraction`) drawn by `seed`;

@@ -91,6 +91,7 @@ BeamCoefficients beam_coefficients(const RailParameters& rail, const std::vector
         const Complex spring(std::complex<double>(natural * natural, natural * natural * damper.loss_factor));
         beam.inertia += spring * lanes::reciprocal(spring + (-omega2)) * (damper.mass_kg_per_m * omega2);
     }
+    if (!rail.correction.empty()) beam.inertia = beam.inertia * rail.correction.at(omega);
     return beam;
 }
 

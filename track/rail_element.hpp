@@ -13,7 +13,7 @@ struct BeamCoefficients {
     lanes::Complex bending;           ///< B = EI(1 + iη), N·m²
     lanes::Complex shear_compliance;  ///< s = 1/(κGA(1 + iη)), 1/N; 0 for Euler
     lanes::Real rotary;               ///< r = ω²ρI, N; 0 for Euler
-    lanes::Complex inertia;           ///< μ = ω²·(m + dampers), N/m²
+    lanes::Complex inertia;           ///< μ = ω²·(m + dampers)·correction, N/m²
 };
 
 /// ω in rad/s, one per lane. Rail dampers add their dynamic mass to μ.

@@ -16,7 +16,12 @@ struct SeatDynamics {
     SeatDynamics(const TrackParameters& track, double frequency_hz)
         : shape(pad_shape(track.pads, frequency_hz)),
           dashpot(0.0, 2.0 * std::numbers::pi * frequency_hz * pad_damping(track.pads)),
-          below(support_receptance(track.support, frequency_hz)) {}
+          below(support_receptance(track.support, frequency_hz)) {
+        if (track.pads.correction.empty()) return;
+        const std::complex<double> correction = track.pads.correction.at(2.0 * std::numbers::pi * frequency_hz);
+        shape *= correction;
+        dashpot *= correction;
+    }
 
     std::complex<double> stiffness(double dynamic_stiffness_n_per_m, double remaining_fraction) const {
         return support_stiffness(remaining_fraction * (dynamic_stiffness_n_per_m * shape + dashpot), below);

@@ -50,8 +50,8 @@ std::vector<Share> minus(std::vector<Share> shares, int degree) {
 
 void add_body(HalfVehicle& car, const VehicleParameters& vehicle, const Degrees& d) {
     const double loaded = (vehicle.body_mass_kg + vehicle.payload_kg) / vehicle.body_mass_kg;
-    car.elements.push_back({.shares = {{d.body_heave, 1.0}}, .mass_kg = loaded * vehicle.body_mass_kg / 2.0});
-    car.elements.push_back({.shares = {{d.body_pitch, 1.0}}, .mass_kg = loaded * vehicle.body_pitch_inertia_kg_m2 / 2.0});
+    car.elements.push_back({.shares = {{d.body_heave, 1.0}}, .carrier = Carrier::body, .mass_kg = loaded * vehicle.body_mass_kg / 2.0});
+    car.elements.push_back({.shares = {{d.body_pitch, 1.0}}, .carrier = Carrier::body, .mass_kg = loaded * vehicle.body_pitch_inertia_kg_m2 / 2.0});
     const double b = vehicle.bogie_distance_m / 2.0;
     double shape = 0.0;
     for (const BodyBendingMode& mode : vehicle.body_bending) {
@@ -67,8 +67,8 @@ void add_body(HalfVehicle& car, const VehicleParameters& vehicle, const Degrees&
 void add_bogie(HalfVehicle& car, const VehicleParameters& vehicle, const Degrees& d, int bogie) {
     const int heave = d.bogie_heave[bogie];
     const int pitch = d.bogie_pitch[bogie];
-    car.elements.push_back({.shares = {{heave, 1.0}}, .mass_kg = vehicle.bogie_mass_kg / 2.0});
-    car.elements.push_back({.shares = {{pitch, 1.0}}, .mass_kg = vehicle.bogie_pitch_inertia_kg_m2 / 2.0});
+    car.elements.push_back({.shares = {{heave, 1.0}}, .carrier = Carrier::bogie, .mass_kg = vehicle.bogie_mass_kg / 2.0});
+    car.elements.push_back({.shares = {{pitch, 1.0}}, .carrier = Carrier::bogie, .mass_kg = vehicle.bogie_pitch_inertia_kg_m2 / 2.0});
     const Place pivot = bogie == 0 ? Place::body_front : Place::body_rear;
     car.secondary_elongation[bogie] = minus(car.places[static_cast<int>(pivot)], heave);
     car.elements.push_back({.shares = car.secondary_elongation[bogie], .law = Law::secondary, .index = bogie});
@@ -95,15 +95,28 @@ void add_wheel(HalfVehicle& car, const VehicleParameters& vehicle, const Degrees
         car.elements.push_back({.shares = {{d.axle_bending[wheel], 1.0}}, .law = Law::mode, .mass_kg = mode.modal_mass_kg / 2.0,
                                 .frequency_hz = mode.frequency_hz, .damping_ratio = mode.damping_ratio});
     }
-    car.elements.push_back({.shares = std::move(rigid), .mass_kg = vehicle.wheelset_mass_kg / 2.0});
+    car.elements.push_back({.shares = std::move(rigid), .carrier = Carrier::wheel, .mass_kg = vehicle.wheelset_mass_kg / 2.0});
     car.places[static_cast<int>(Place::wheel_1) + wheel] = {{degree, 1.0}};
+}
+
+/// −ω²·mass, with the correction of whatever carries it.
+lanes::Complex inertia_of(const HalfVehicle& car, const Element& element, lanes::Real omega) {
+    const lanes::Complex inertia{-element.mass_kg * omega * omega, lanes::Real{}};
+    const auto corrected = [&](const lanes::FactorCurve& correction) { return correction.empty() ? inertia : inertia * correction.at(omega); };
+    switch (element.carrier) {
+        case Carrier::body: return corrected(car.body_correction);
+        case Carrier::bogie: return corrected(car.bogie_correction);
+        case Carrier::wheel: return corrected(car.wheel_correction);
+        case Carrier::none: break;
+    }
+    return inertia;
 }
 
 lanes::Complex stiffness_of(const HalfVehicle& car, const Element& element, lanes::Real omega) {
     switch (element.law) {
         case Law::secondary: return suspension_stiffness(car.secondary, car.friction.secondary[element.index], omega);
         case Law::primary: return suspension_stiffness(car.primary, car.friction.primary[element.index], omega);
-        case Law::inertia: return {-element.mass_kg * omega * omega, lanes::Real{}};
+        case Law::inertia: return inertia_of(car, element, omega);
         case Law::mode: break;
     }
     const double natural = kTwoPi * element.frequency_hz;
@@ -120,6 +133,9 @@ HalfVehicle half_vehicle(const VehicleParameters& vehicle) {
     car.degrees = d.next;
     car.primary = vehicle.primary;
     car.secondary = vehicle.secondary;
+    car.body_correction = vehicle.body_correction;
+    car.bogie_correction = vehicle.bogie_correction;
+    car.wheel_correction = vehicle.wheel_correction;
     add_body(car, vehicle, d);
     for (int bogie = 0; bogie < 2; ++bogie) add_bogie(car, vehicle, d, bogie);
     for (int wheel = 0; wheel < 4; ++wheel) add_wheel(car, vehicle, d, wheel);
@@ -134,7 +150,7 @@ lanes::Complex suspension_stiffness(const SuspensionParameters& law, double fric
     }
     damper.re += law.stiffness_n_per_m;
     damper.im += friction_damping * omega;
-    return damper;
+    return law.correction.empty() ? damper : damper * law.correction.at(omega);
 }
 
 void assemble(const HalfVehicle& car, lanes::Real omega, Workspace& workspace) {

@@ -16,17 +16,21 @@ enum class Place { body, body_front, body_rear, bogie_1, bogie_2, wheel_1, wheel
 /// Which law of force an element of the structure obeys.
 enum class Law { secondary, primary, inertia, mode };
 
+/// Whose rigid mass an element of Law::inertia carries, and with it whose correction; hung masses belong to none.
+enum class Carrier { none, body, bogie, wheel };
+
 /// A degree of freedom and its share in an elongation or a displacement.
 struct Share {
     int degree;
     double weight;
 };
 
-/// One element: elongation e = Σ weight·q, force = stiffness(ω)·e. For Law::inertia the "stiffness" is −ω²·mass; for Law::mode
+/// One element: elongation e = Σ weight·q, force = stiffness(ω)·e. For Law::inertia the "stiffness" is −ω²·mass·correction; for Law::mode
 /// mass·(ω_n² − ω² + 2iζω_nω) when it carries a mass, or its spring part only where `mass_moves` is false.
 struct Element {
     std::vector<Share> shares;
     Law law = Law::inertia;
+    Carrier carrier = Carrier::none;  ///< inertia
     int index = 0;              ///< primary: wheel 0…3; secondary: bogie 0…1
     double mass_kg = 0.0;       ///< inertia and mode (kg, or kg·m² for a rotation)
     double frequency_hz = 0.0;  ///< mode
@@ -48,6 +52,7 @@ struct HalfVehicle {
     std::array<std::vector<Share>, 4> primary_elongation;
     std::array<std::vector<Share>, 2> secondary_elongation;
     SuspensionParameters primary, secondary;
+    lanes::FactorCurve body_correction, bogie_correction, wheel_correction;  ///< as in VehicleParameters
     FrictionDamping friction;
 
     int first_wheel() const { return degrees - 4; }
@@ -58,7 +63,7 @@ struct HalfVehicle {
 HalfVehicle half_vehicle(const VehicleParameters& vehicle);
 
 /// Dynamic stiffness of a suspension element, N/m: k + c·iω·k_s/(k_s + c·iω) + iω·c_f with c_f the friction's equivalent
-/// damping (Maxwell element; Bruni et al. 2011).
+/// damping (Maxwell element; Bruni et al. 2011), all of it times the element's correction.
 lanes::Complex suspension_stiffness(const SuspensionParameters& law, double friction_damping, lanes::Real omega);
 
 /// Receptances of the free half vehicle for unit forces at the wheels (upwards): displacement at every place and elongation of

@@ -4,6 +4,7 @@
 #include <limits>
 #include <vector>
 
+#include "lanes/factor_curve.hpp"
 #include "parameters/field.hpp"
 
 namespace railpem::vehicle {
@@ -17,6 +18,8 @@ struct SuspensionParameters {
     /// Stiffness in series with the damper; infinity: the damper is mounted rigidly (Bruni et al. 2011).
     double damper_series_stiffness_n_per_m = std::numeric_limits<double>::infinity();
     double friction_force_n = 0.0;
+    /// Factor on the whole dynamic stiffness of the element, friction included; free correction of a diagnosis, 1 when empty.
+    lanes::FactorCurve correction;
 };
 
 /// First free–free bending mode of the car body. Displacement of the body at x: heave + x·pitch + φ(x)·q with
@@ -60,6 +63,10 @@ struct VehicleParameters {
     std::vector<BodyBendingMode> body_bending;          ///< at most one
     std::vector<WheelsetBendingMode> wheelset_bending;  ///< at most one, the same on every wheelset
     std::vector<BogieMountedMass> bogie_mounted_masses; ///< each hangs on both bogies
+    // Factors on dynamic masses; free corrections of a diagnosis, 1 when empty. Modes and hung masses keep their own.
+    lanes::FactorCurve body_correction;   ///< factor on the body's mass (with payload) and pitch inertia
+    lanes::FactorCurve bogie_correction;  ///< factor on mass and pitch inertia of both bogies
+    lanes::FactorCurve wheel_correction;  ///< factor on the mass of every wheelset
 };
 
 /// Longitudinal positions of wheels 1…4 from the centre of the body, m, front first.

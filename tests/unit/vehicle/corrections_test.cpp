@@ -1,0 +1,93 @@
+// A constant real correction is a scaled parameter.
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "vehicle/half_vehicle.hpp"
+
+namespace railpem::vehicle {
+namespace {
+
+const lanes::FactorCurve by_1_2{.frequency_hz = {30.0}, .value = {1.2}};
+
+VehicleParameters car() {
+    VehicleParameters v;
+    v.body_mass_kg = 38500;
+    v.body_pitch_inertia_kg_m2 = 2.5e6;
+    v.bogie_mass_kg = 2980;
+    v.bogie_pitch_inertia_kg_m2 = 3.6e3;
+    v.wheelset_mass_kg = 1350;
+    v.bogie_distance_m = 18.0;
+    v.wheelbase_m = 2.4;
+    v.primary = {.stiffness_n_per_m = 2.1e6, .damping_n_s_per_m = 4.9e4, .damper_series_stiffness_n_per_m = 8e6};
+    v.secondary = {.stiffness_n_per_m = 2.5e6, .damping_n_s_per_m = 2.0e5};
+    v.body_bending = {{}};
+    v.wheelset_bending = {{}};
+    v.bogie_mounted_masses = {{}};
+    return v;
+}
+
+void scale(SuspensionParameters& law) {
+    law.stiffness_n_per_m *= 1.2;
+    law.damping_n_s_per_m *= 1.2;
+    law.damper_series_stiffness_n_per_m *= 1.2;
+}
+
+struct Correction {
+    const char* name;
+    std::function<void(VehicleParameters&)> correct, reference;
+};
+
+class VehicleCorrection : public testing::TestWithParam<Correction> {};
+
+TEST_P(VehicleCorrection, EqualsTheScaledParameter) {
+    VehicleParameters corrected = car(), scaled = car();
+    GetParam().correct(corrected);
+    GetParam().reference(scaled);
+    const HalfVehicle plain_car = half_vehicle(car()), corrected_car = half_vehicle(corrected), scaled_car = half_vehicle(scaled);
+    Workspace plain_work(plain_car), corrected_work(corrected_car), scaled_work(scaled_car);
+    const lanes::Real omega{4.0, 30.0, 170.0, 900.0};
+    const WheelReceptance plain = wheel_receptance(plain_car, omega, plain_work);
+    const WheelReceptance found = wheel_receptance(corrected_car, omega, corrected_work);
+    const WheelReceptance expected = wheel_receptance(scaled_car, omega, scaled_work);
+    double change = 0.0;
+    for (std::size_t place = 0; place < found.at.size(); ++place)
+        for (std::size_t wheel = 0; wheel < 4; ++wheel)
+            for (int lane = 0; lane < lanes::width; ++lane) {
+                const double size = std::abs(expected.at[place][wheel][lane]);
+                // Rounding of the entries times the condition of D.
+                EXPECT_NEAR(std::abs(found.at[place][wheel][lane] - expected.at[place][wheel][lane]), 0.0, 1e-12 * size) << place << wheel << lane;
+                change = std::max(change, std::abs(plain.at[place][wheel][lane] - expected.at[place][wheel][lane]) / size);
+            }
+    EXPECT_GT(change, 0.01) << "the correction must be felt";
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Places, VehicleCorrection,
+    testing::Values(Correction{"primary", [](VehicleParameters& v) { v.primary.correction = by_1_2; }, [](VehicleParameters& v) { scale(v.primary); }},
+                    Correction{"secondary", [](VehicleParameters& v) { v.secondary.correction = by_1_2; }, [](VehicleParameters& v) { scale(v.secondary); }},
+                    Correction{"body", [](VehicleParameters& v) { v.body_correction = by_1_2; },
+                               [](VehicleParameters& v) {
+                                   v.body_mass_kg *= 1.2;
+                                   v.body_pitch_inertia_kg_m2 *= 1.2;
+                               }},
+                    Correction{"bogie", [](VehicleParameters& v) { v.bogie_correction = by_1_2; },
+                               [](VehicleParameters& v) {
+                                   v.bogie_mass_kg *= 1.2;
+                                   v.bogie_pitch_inertia_kg_m2 *= 1.2;
+                               }},
+                    Correction{"wheel", [](VehicleParameters& v) { v.wheel_correction = by_1_2; }, [](VehicleParameters& v) { v.wheelset_mass_kg *= 1.2; }}),
+    [](const auto& tested) { return std::string(tested.param.name); });
+
+TEST(SuspensionCorrection, ActsOnFrictionTooAndAtItsOwnFrequency) {
+    SuspensionParameters law{.stiffness_n_per_m = 2.1e6, .damping_n_s_per_m = 4.9e4};
+    const lanes::Real omega{4.0, 30.0, 170.0, 900.0};
+    const lanes::Complex plain = suspension_stiffness(law, 1e4, omega);
+    law.correction = {.frequency_hz = {1.0, 100.0}, .value = {{1.0, 0.1}, {1.5, -0.2}}};
+    const lanes::Complex found = suspension_stiffness(law, 1e4, omega);
+    for (int lane = 0; lane < lanes::width; ++lane) EXPECT_NEAR(std::abs(found[lane] / plain[lane] - law.correction.at(omega[lane])), 0.0, 1e-15);
+}
+
+}  // namespace
+}  // namespace railpem::vehicle
