@@ -40,7 +40,7 @@ int diagnose(const DiagnoseRequest& request) {
         fmt::print("{:50s} {:9.5f} +- {:.5f}  ({:.2f} sd of belief)\n", fit.unknowns[i].name, fit.values[i], fit.deviation(i), (fit.values[i] - fit.unknowns[i].mean) / fit.unknowns[i].deviation);
     std::size_t bins = 0;
     for (const auto& o : observations) bins += o.bins();
-    fmt::print("logL per bin {:.3f} of {} bins\n", fit.log_likelihood / bins, bins);
+    fmt::print("logL per bin {:.3f} of {} bins\n", fit.log_likelihood / static_cast<double>(bins), bins);
     return 0;
 }
 }  // namespace

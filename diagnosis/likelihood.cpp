@@ -151,9 +151,9 @@ void add_prediction_columns(const Trial& trial, const Observation& observation, 
         floor[c] = 1.0 + floor_of(trial, observation.channels[c].response, observation.frequency(bin), least_floor);
     Matrix derivative(static_cast<long>(size), static_cast<long>(size)), half;
     for (const PredictionDerivative* own : derivatives) {
-        const std::complex<float>* values = &own->values[bin * size * size];
+        const Complex* values = &own->values[bin * size * size];
         bool zero = true;
-        for (std::size_t c = 0; c < size && zero; ++c) zero = values[c * (size + 1)].real() == 0.0f;
+        for (std::size_t c = 0; c < size && zero; ++c) zero = values[c * (size + 1)].real() == 0.0;
         if (zero) continue;
         for (std::size_t i = 0; i < size * size; ++i) derivative.data()[i] = Complex(values[i].real(), values[i].imag());
         for (std::size_t c = 0; c < size; ++c) derivative(static_cast<long>(c), static_cast<long>(c)) *= floor[c];
@@ -222,7 +222,7 @@ std::vector<PredictionDerivative> differentiate(const Trial& trial, const std::v
                                  observation.channels, {}, observation.expectation);
             own.values.resize(spectra.values.size());
             for (std::size_t i = 0; i < spectra.values.size(); ++i)
-                own.values[i] = std::complex<float>((spectra.values[i] - predictions[o].values[i]) / step);
+                own.values[i] = Complex((spectra.values[i] - predictions[o].values[i]) / step);
         } catch (...) {
 #pragma omp critical(railpem_predict)
             failure = std::current_exception();

@@ -19,7 +19,7 @@ using Predictions = std::vector<ExpectedSpectra>;
 struct PredictionDerivative {
     int observation = 0;
     int unknown = 0;
-    std::vector<std::complex<float>> values;  ///< as ExpectedSpectra::values
+    std::vector<std::complex<double>> values;  ///< as ExpectedSpectra::values
 };
 
 /// Second-order picture of the log-likelihood around a trial.

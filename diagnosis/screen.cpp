@@ -34,9 +34,9 @@ std::vector<PredictionDerivative> directions(const Fit& fit, const std::vector<C
                                                           observation.channels, {}, observation.expectation);
             own.values.resize(with.values.size());
             for (std::size_t k = 0; k < with.values.size(); ++k)
-                own.values[k] = std::complex<float>(with.values[k] - fit.predictions[o].values[k]);
+                own.values[k] = (with.values[k] - fit.predictions[o].values[k]);
         } catch (const parameters::ParameterError&) {
-            own.values.assign(fit.predictions[o].values.size(), 0.0f);
+            own.values.assign(fit.predictions[o].values.size(), 0.0);
         }
     }
     return result;

@@ -42,7 +42,7 @@ void add_irregularity(const std::vector<Observation>& observations, std::vector<
                             .deviation = kIrregularityDeviation,
                             .low = -4.0,
                             .high = 4.0,
-                            .step = 1e-2,
+                            .step = 1e-5,
                             .index = static_cast<int>(i),
                             .set = [nodes, i](Trial& trial, double x) {
                                 auto& spline = trial.numbers.irregularity.wave_correction;
@@ -63,7 +63,7 @@ void add_recording(const std::vector<Observation>& observations, std::vector<Unk
                             .deviation = observation.speed_tolerance,
                             .low = -0.1,
                             .high = 0.1,
-                            .step = 1e-5,
+                            .step = 1e-8,
                             .observation = static_cast<int>(o),
                             .set = [o, speed](Trial& trial, double x) { trial.speed_m_per_s[o] = speed * std::exp(x); }});
         for (std::size_t c = 0; c < observation.channels.size(); ++c) {
@@ -153,7 +153,7 @@ std::vector<Unknown> nuisance_unknowns(const BelievedCase& believed, const std::
                         .deviation = kLevelDeviation,
                         .low = -4.0,
                         .high = 4.0,
-                        .step = 1e-2,
+                        .step = 1e-5,
                         .index = -1,
                         .set = [level = believed.numbers.irregularity.level_db](Trial& trial, double x) {
                             trial.numbers.irregularity.level_db = level + x * 10.0 / std::log(10.0);
@@ -165,7 +165,7 @@ std::vector<Unknown> nuisance_unknowns(const BelievedCase& believed, const std::
                             .deviation = kPassingDeviation,
                             .low = -3.0,
                             .high = 3.0,
-                            .step = 1e-2,
+                            .step = 1e-5,
                             .set = [passing](Trial& trial, double x) {
                                 trial.numbers.sleeper_passing.amplitude_factor = passing * std::exp(x);
                             }});
@@ -198,7 +198,7 @@ std::vector<Unknown> effect_unknowns(const EffectInstance& instance, std::size_t
                             .deviation = 0.5 * (high - low),
                             .low = low,
                             .high = high,
-                            .step = 1e-3 * (high - low),
+                            .step = 1e-6 * (high - low),
                             .index = static_cast<int>(effect_index),
                             .set = [parameter, effect_index](Trial& trial, double x) {
                                 trial.effects[effect_index].values[parameter.name] = from_coordinate(parameter, x);

@@ -47,7 +47,7 @@ struct Unknown {
     double deviation = 1.0;
     double low = -1e300;
     double high = 1e300;
-    double step = 1e-3;    ///< of the numerical derivative
+    double step = 1e-6;    ///< of the numerical derivative: what a step adds at second order is seen against the noise
     int observation = -1;  ///< the only one that it moves; −1: all
     int index = 0;         ///< noise: channel; floor: group·nodes + node
     std::function<void(Trial&, double)> set;
