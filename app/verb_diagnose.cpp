@@ -6,7 +6,7 @@
 
 #include "app/diagnosis_inputs.hpp"
 #include "app/verbs.hpp"
-#include "diagnosis/fit.hpp"
+#include "diagnosis/name.hpp"
 
 namespace railpem::app {
 namespace {
@@ -34,13 +34,37 @@ int diagnose(const DiagnoseRequest& request) {
     const auto p0 = now();
     diagnosis::predict(trial, context);
     fmt::print("predict {:.4f}\n", now() - p0);
-    const diagnosis::Fit fit = diagnosis::fit(trial, unknowns, diagnosis::means(unknowns), context);
-    fmt::print("fit {:.2f} s, {} iterations, converged {}, logL {:.1f} evidence {:.1f}\n", now(), fit.iterations, fit.converged, fit.log_likelihood, fit.log_evidence);
+    diagnosis::NamingOptions options;
+    options.progress = [&, last = std::string()](const std::string& what, double) mutable {
+        if (what != last) fmt::print("{:7.2f} s {}\n", now(), what);
+        last = what;
+        std::fflush(stdout);
+    };
+    const diagnosis::NamingResult result = diagnosis::name_physics(believed, context, options);
+    fmt::print("{:.2f} s, {} candidates\n", now(), result.candidates.size());
+    for (std::size_t i = 0; i < 14; ++i) {
+        const auto& p = result.first_promises[i];
+        const auto& c = result.candidates[p.candidate];
+        std::string text;
+        for (const auto& [k, v] : c.instance.values) text += fmt::format(" {}={:g}", k, v);
+        fmt::print("promise {:9.1f} strength {:9.2g}  {}{}\n", p.gain, p.strength, diagnosis::label_of(c.instance), text);
+    }
+    const auto show = [&](const diagnosis::FittedSet& set) {
+        std::string text;
+        for (std::size_t i = set.fit.trial.effects.size() - set.effects.size(); i < set.fit.trial.effects.size(); ++i) {
+            text += diagnosis::label_of(set.fit.trial.effects[i]);
+            for (const auto& [k, v] : set.fit.trial.effects[i].values) text += fmt::format(" {}={:.4g}", k, v);
+            text += "; ";
+        }
+        for (const auto& key : set.released) text += key + "; ";
+        fmt::print("score {:10.1f} logL {:10.1f} held {:9.1f} it {:2d} conv {} {}\n", set.score(), set.fit.log_likelihood, set.held_out, set.fit.iterations, set.fit.converged, text);
+    };
+    show(result.retuned);
+    for (const auto& set : result.sets) show(set);
+    const diagnosis::Fit& fit = result.sets.empty() ? result.retuned.fit : result.sets[0].fit;
     for (std::size_t i = 0; i < fit.unknowns.size(); ++i)
+        if (fit.unknowns[i].kind == diagnosis::UnknownKind::number || fit.unknowns[i].kind == diagnosis::UnknownKind::effect || std::abs(fit.values[i] - fit.unknowns[i].mean) > 2 * fit.unknowns[i].deviation)
         fmt::print("{:50s} {:9.5f} +- {:.5f}  ({:.2f} sd of belief)\n", fit.unknowns[i].name, fit.values[i], fit.deviation(i), (fit.values[i] - fit.unknowns[i].mean) / fit.unknowns[i].deviation);
-    std::size_t bins = 0;
-    for (const auto& o : observations) bins += o.bins();
-    fmt::print("logL per bin {:.3f} of {} bins\n", fit.log_likelihood / static_cast<double>(bins), bins);
     return 0;
 }
 }  // namespace

@@ -137,6 +137,29 @@ void add_values(const Effect& effect, std::size_t index, const EffectInstance& s
     }
 }
 
+constexpr double kProbe = 1e-6;  ///< of the range: second order stays below the noise
+
+/// Effects that add power of their own, or replace something: their first derivative at nothing says nothing.
+bool adds_power(const EffectInstance& instance) {
+    for (const char* id : {"wheel-out-of-roundness", "rail-corrugation", "rail-joints", "sensor-noise", "failed-fasteners", "pad-hysteresis"})
+        if (instance.effect == id) return true;
+    return instance.effect == "sensor-gain" && instance.values.at("gain") < 0.0;
+}
+
+/// A strength `steps` probes away from nothing.
+double near_nothing(const EffectParameter& parameter, double steps) {
+    if (!std::isfinite(parameter.nothing)) return parameter.high / (kProbe * steps);
+    const double towards = parameter.nothing >= parameter.high ? parameter.low - parameter.nothing : parameter.high - parameter.nothing;
+    return parameter.nothing + kProbe * steps * towards;
+}
+
+EffectInstance probe_of(const Effect& effect, EffectInstance instance) {
+    if (adds_power(instance)) return instance;
+    for (const EffectParameter& parameter : effect.parameters)
+        if (parameter.strength && instance.values.count(parameter.name)) instance.values[parameter.name] = near_nothing(parameter, 1.0);
+    return instance;
+}
+
 bool is_two_sided(const Effect& effect) {
     return effect.id == "sensor-gain" || effect.id == "timing-skew" || effect.id == "irregularity-spectrum" || effect.id == "sleeper-passing" ||
            effect.id == "contact-nonlinearity";
@@ -161,11 +184,21 @@ CandidateList candidates(const BelievedCase& believed, const Trial& trial, const
         std::set<std::map<std::string, std::string>> places;
         for (const EffectInstance& instance : variants) places.insert(instance.choices);
         for (EffectInstance& instance : variants)
-            list.candidates.push_back({.instance = std::move(instance),
+            list.candidates.push_back({.instance = instance,
+                                       .probe = probe_of(effect, instance),
                                        .two_sided = is_two_sided(effect),
                                        .log_prior = -std::log(static_cast<double>(effects().size() * places.size()))});
     }
     return list;
+}
+
+Candidate started_at(const Candidate& candidate, double strength) {
+    Candidate started = candidate;
+    if (adds_power(candidate.instance)) return started;
+    for (const EffectParameter& parameter : find_effect(candidate.instance.effect)->parameters)
+        if (parameter.strength && candidate.instance.values.count(parameter.name) && std::abs(strength) > 1.0)
+            started.instance.values[parameter.name] = std::clamp(near_nothing(parameter, strength), parameter.low, parameter.high);
+    return started;
 }
 
 bool same_variant(const EffectInstance& first, const EffectInstance& second) {

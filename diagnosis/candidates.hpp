@@ -8,9 +8,10 @@
 
 namespace railpem::diagnosis {
 
-/// A hypothesis: an instance of an effect at a mild strength, from which screening looks and fits start.
+/// A hypothesis about a believed case.
 struct Candidate {
-    EffectInstance instance;
+    EffectInstance instance;  ///< where a fit starts
+    EffectInstance probe;     ///< where screening looks: all but nothing, or `instance` where strength adds power
     bool two_sided = false;       ///< the opposite sign of the strength is as believable
     double log_prior = 0.0;       ///< of this variant: the effect's, shared among its variants
 };
@@ -30,6 +31,9 @@ struct CandidateList {
 /// in the band, each channel, each stage, and a grid over parameters that are no strength (frequencies, wavelengths).
 /// Values beyond tolerance (parameter-error) are not among them: the retuned fit tells those by itself.
 CandidateList candidates(const BelievedCase& believed, const Trial& trial, const std::vector<Observation>& observations);
+
+/// The candidate started at `strength` probes from nothing (to first order), within its range.
+Candidate started_at(const Candidate& candidate, double strength);
 
 /// The same effect in the same place: identifier and choices agree.
 bool same_variant(const EffectInstance& first, const EffectInstance& second);

@@ -27,7 +27,7 @@ std::vector<PredictionDerivative> directions(const Fit& fit, const std::vector<C
         own.observation = static_cast<int>(o);
         own.unknown = static_cast<int>(fit.unknowns.size() + c);
         Trial trial = fit.trial;
-        trial.effects.push_back(candidates[first + c].instance);
+        trial.effects.push_back(candidates[first + c].probe);
         const Observation& observation = observations[o];
         try {
             const ExpectedSpectra with = expected_spectra(case_of(trial, *context.believed, observation), trial.speed_m_per_s[o], observation.kernel,

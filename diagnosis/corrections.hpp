@@ -1,0 +1,30 @@
+#pragma once
+// Free complex corrections: what a place of the structure would have to be like, without a name for it.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "diagnosis/fit.hpp"
+#include "diagnosis/screen.hpp"
+
+namespace railpem::diagnosis {
+
+/// A place that can be given a free correction.
+struct CorrectionPlace {
+    Element element = Element::body;
+    std::string channel;  ///< sensor only: as the effects call it
+};
+
+/// Places of the case that the recordings could speak of.
+std::vector<CorrectionPlace> correction_places(const BelievedCase& believed, const std::vector<Observation>& observations);
+
+/// Unknowns of a correction: real and imaginary part at nodes over the common band. Structure: the complex factor on the
+/// dynamic stiffness (suspension, pad, support, contact) or dynamic mass (body, bogie, wheel, rail); sensor: on the
+/// transfer of a channel; irregularity: a power factor fixed in frequency, which no irregularity can have.
+std::vector<Unknown> correction_unknowns(const CorrectionPlace& place, const std::vector<Observation>& observations);
+
+/// Frequencies of the nodes, Hz.
+std::vector<double> correction_nodes(const std::vector<Observation>& observations);
+
+}  // namespace railpem::diagnosis
