@@ -85,13 +85,10 @@ std::vector<Promise> screen(const Fit& fit, const std::vector<Candidate>& candid
     return promises;
 }
 
-FreedomPromise promise_of(const Fit& fit, const std::vector<Unknown>& freedom, const LikelihoodContext& context) {
-    std::vector<Unknown> all = fit.unknowns;
-    all.insert(all.end(), freedom.begin(), freedom.end());
-    std::vector<double> values = fit.values;
-    for (const Unknown& unknown : freedom) values.push_back(unknown.mean);
-    const std::vector<PredictionDerivative> derivatives = differentiate(fit.trial, all, values, fit.predictions, context);
-    const LikelihoodSlope slope = likelihood_slope(fit.trial, all, fit.predictions, derivatives, context);
+namespace {
+
+/// One freedom's promise from the slope of fit and freedom together.
+FreedomPromise promise_from(const Fit& fit, const LikelihoodSlope& slope, const std::vector<Unknown>& freedom) {
     const long own = static_cast<long>(fit.unknowns.size()), count = static_cast<long>(freedom.size());
     const Eigen::LDLT<Eigen::MatrixXd> factor(curvature_of(fit, slope.information));
     const Eigen::MatrixXd cross = slope.information.topRightCorner(own, count);
@@ -110,6 +107,23 @@ FreedomPromise promise_of(const Fit& fit, const std::vector<Unknown>& freedom, c
     promise.nats = 0.5 * right.dot(solved);
     for (long i = 0; i < count; ++i) promise.nats -= std::log(own_factor.matrixLLT()(i, i));
     return promise;
+}
+
+}  // namespace
+
+std::vector<FreedomPromise> promises_of(const Fit& fit, const std::vector<std::vector<Unknown>>& freedoms, const LikelihoodContext& context) {
+    const std::vector<PredictionDerivative> nuisance = differentiate(fit.trial, fit.unknowns, fit.values, fit.predictions, context);
+    std::vector<FreedomPromise> promises;
+    for (const std::vector<Unknown>& freedom : freedoms) {
+        std::vector<double> start = means(freedom);
+        std::vector<PredictionDerivative> derivatives = differentiate(fit.trial, freedom, start, fit.predictions, context);
+        for (PredictionDerivative& derivative : derivatives) derivative.unknown += static_cast<int>(fit.unknowns.size());
+        derivatives.insert(derivatives.begin(), nuisance.begin(), nuisance.end());
+        std::vector<Unknown> all = fit.unknowns;
+        all.insert(all.end(), freedom.begin(), freedom.end());
+        promises.push_back(promise_from(fit, likelihood_slope(fit.trial, all, fit.predictions, derivatives, context), freedom));
+    }
+    return promises;
 }
 
 double release_gain(const Fit& fit, std::size_t unknown, double wide) {

@@ -26,7 +26,8 @@ struct FreedomPromise {
     Eigen::VectorXd values;
     Eigen::MatrixXd covariance;
 };
-FreedomPromise promise_of(const Fit& fit, const std::vector<Unknown>& freedom, const LikelihoodContext& context);
+/// One promise for each of the freedoms.
+std::vector<FreedomPromise> promises_of(const Fit& fit, const std::vector<std::vector<Unknown>>& freedoms, const LikelihoodContext& context);
 
 /// Gain of releasing one number of the fit from its tolerance (deviation → `wide`), to first order.
 double release_gain(const Fit& fit, std::size_t unknown, double wide);

@@ -1,0 +1,30 @@
+#pragma once
+// From a believed case and recordings to a verdict.
+
+#include "diagnosis/believed_case.hpp"
+#include "diagnosis/diagnosis.hpp"
+#include "diagnosis/name.hpp"
+#include "diagnosis/observation.hpp"
+
+namespace railpem::diagnosis {
+
+/// How sure a verdict has to be. Calibrated on synthesised nulls; the command stands in README.md.
+struct VerdictThresholds {
+    double least_gain = 5.0;        ///< nats of log-evidence that physics must gain over the retuned case
+    double credible = 4.0;          ///< a rival set is credible within so many nats of the best
+    double residual = 12.0;         ///< nats that a free correction beside the named set may promise by chance
+    double anonymous = 3.0;         ///< nats by which a free correction must beat the named set to make it nameless
+};
+
+struct DiagnoseOptions {
+    VerdictThresholds thresholds;
+    NamingOptions naming;
+    int threads = 0;
+    std::function<void(const std::string&, double)> progress;
+    std::function<bool()> interrupted;  ///< asked between steps; true ends the search with what is known
+};
+
+/// The whole diagnosis: retune, locate, name, verify on what no fit has seen, refit on everything.
+Diagnosis diagnose(const BelievedCase& believed, const std::vector<Observation>& observations, const DiagnoseOptions& options);
+
+}  // namespace railpem::diagnosis

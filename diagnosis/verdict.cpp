@@ -1,0 +1,176 @@
+#include "diagnosis/verdict.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace railpem::diagnosis {
+
+namespace {
+
+/// Scores far below the best carry no probability.
+double weight_of(double score, double best) { return std::exp(std::max(-700.0, score - best)); }
+
+double best_score(const NamingResult& naming, const Decision& decision) {
+    double best = std::max(naming.retuned.score(), decision.unknown_score);
+    for (const FittedSet& set : naming.sets) best = std::max(best, set.score());
+    return best;
+}
+
+/// Every member of `smaller` is in `larger`: the larger one does not contradict it, it only says more.
+bool contains(const FittedSet& larger, const FittedSet& smaller) {
+    const auto has = [&](const Candidate& member) {
+        return std::any_of(larger.effects.begin(), larger.effects.end(),
+                           [&](const Candidate& own) { return same_variant(own.instance, member.instance); });
+    };
+    const auto released = [&](const std::string& key) { return std::find(larger.released.begin(), larger.released.end(), key) != larger.released.end(); };
+    return std::all_of(smaller.effects.begin(), smaller.effects.end(), has) && std::all_of(smaller.released.begin(), smaller.released.end(), released);
+}
+
+bool only_sensors(const FittedSet& set) {
+    const auto elements = elements_of(set, nullptr);
+    return set.released.empty() && !elements.empty() && std::all_of(elements.begin(), elements.end(), [](Element element) { return element == Element::sensor; });
+}
+
+}  // namespace
+
+std::vector<std::string> labels_of(const FittedSet& set) {
+    std::vector<std::string> labels;
+    for (const Candidate& member : set.effects) labels.push_back(member.instance.effect);
+    for (std::size_t i = 0; i < set.released.size(); ++i) labels.push_back("parameter-error");
+    return labels;
+}
+
+std::vector<Element> elements_of(const FittedSet& set, const BelievedCase*) {
+    std::vector<Element> elements;
+    for (const Candidate& member : set.effects) elements.push_back(element_of(*find_effect(member.instance.effect), member.instance));
+    for (const std::string& key : set.released) elements.push_back(element_of_key(key));
+    return elements;
+}
+
+Decision decide(const NamingResult& naming, const PlaceStudy& places, const VerdictThresholds& thresholds) {
+    Decision decision;
+    for (const FittedSet& set : places.anonymous) decision.unknown_score = std::max(decision.unknown_score, set.score());
+    const double nothing = naming.retuned.score();
+    const FittedSet* best = naming.sets.empty() ? nullptr : &naming.sets.front();
+    const bool gains = best && best->score() > nothing + thresholds.least_gain && best->held_out > naming.retuned.held_out;
+    if (gains) {
+        decision.named = best;
+        for (const FittedSet& set : naming.sets)
+            if (&set == best || (set.score() > best->score() - thresholds.credible && !contains(set, *best))) decision.credible.push_back(&set);
+    }
+    const double residual_named = places.at_named.empty() ? 0.0 : places.at_named.front().nats;
+    const double residual_retuned = places.at_retuned.empty() ? 0.0 : places.at_retuned.front().nats;
+    if (gains && decision.unknown_score < best->score() + thresholds.anonymous && residual_named < thresholds.residual)
+        decision.verdict = decision.credible.size() > 1 ? Verdict::ambiguous : only_sensors(*best) ? Verdict::recording_fault : Verdict::explained;
+    else if (gains)
+        decision.verdict = Verdict::unexplained;
+    else
+        decision.verdict = decision.unknown_score > nothing + thresholds.residual || residual_retuned > thresholds.residual ? Verdict::unexplained : Verdict::consistent;
+    return decision;
+}
+
+std::vector<EffectSet> posterior_of(const NamingResult& naming, const Decision& decision) {
+    const double best = best_score(naming, decision);
+    double sum = weight_of(naming.retuned.score(), best) + weight_of(decision.unknown_score, best);
+    for (const FittedSet& set : naming.sets) sum += weight_of(set.score(), best);
+    std::vector<EffectSet> posterior;
+    for (const FittedSet& set : naming.sets) posterior.push_back({labels_of(set), weight_of(set.score(), best) / sum});
+    posterior.push_back({{}, weight_of(naming.retuned.score(), best) / sum});
+    posterior.push_back({{"unknown"}, weight_of(decision.unknown_score, best) / sum});
+    std::stable_sort(posterior.begin(), posterior.end(), [](const EffectSet& a, const EffectSet& b) { return a.probability > b.probability; });
+    return posterior;
+}
+
+std::vector<PlaceEvidence> place_probabilities(const NamingResult& naming, const PlaceStudy& places, const Decision& decision) {
+    std::map<Element, PlaceEvidence> found;
+    for (const PlaceEvidence& place : places.at_retuned) found[place.element] = {place.element, 0.0, place.nats};
+    const double best = best_score(naming, decision);
+    double sum = weight_of(decision.unknown_score, best);
+    for (const FittedSet& set : naming.sets) sum += weight_of(set.score(), best);
+    sum += weight_of(naming.retuned.score(), best);
+    for (const FittedSet& set : naming.sets) {
+        const std::vector<Element> elements = elements_of(set, nullptr);
+        for (const Element element : elements) {
+            found[element].element = element;
+            found[element].probability += weight_of(set.score(), best) / sum / static_cast<double>(elements.size());
+        }
+    }
+    // What has no name sits where a free correction helps most.
+    const double unknown = weight_of(decision.unknown_score, best) / sum;
+    double highest = -1e300, shares = 0.0;
+    for (const FittedSet& set : places.anonymous) highest = std::max(highest, set.score());
+    for (const FittedSet& set : places.anonymous) shares += weight_of(set.score(), highest);
+    for (const FittedSet& set : places.anonymous) {
+        found[set.anonymous.front().element].element = set.anonymous.front().element;
+        found[set.anonymous.front().element].probability += unknown * weight_of(set.score(), highest) / shares;
+    }
+    std::vector<PlaceEvidence> ranked;
+    for (const auto& [element, evidence] : found) ranked.push_back(evidence);
+    std::stable_sort(ranked.begin(), ranked.end(), [](const PlaceEvidence& a, const PlaceEvidence& b) {
+        return a.probability != b.probability ? a.probability > b.probability : a.nats > b.nats;
+    });
+    return ranked;
+}
+
+std::string verdict_name(Verdict verdict) {
+    switch (verdict) {
+        case Verdict::consistent: return "consistent";
+        case Verdict::explained: return "explained";
+        case Verdict::ambiguous: return "ambiguous";
+        case Verdict::unexplained: return "unexplained";
+        case Verdict::recording_fault: return "recording-fault";
+    }
+    return {};
+}
+
+namespace {
+
+std::string named_in_words(const Diagnosis& diagnosis) {
+    std::vector<std::string> parts;
+    for (const NamedEffect& effect : diagnosis.omitted) {
+        std::vector<std::string> values;
+        for (const auto& [name, value] : effect.instance.choices) values.push_back(fmt::format("{} {}", name, value));
+        for (const FittedParameter& parameter : effect.parameters)
+            values.push_back(fmt::format("{} {:.3g}{} [{:.3g}, {:.3g}]", parameter.name, parameter.value, parameter.unit == "1" ? "" : " " + parameter.unit,
+                                         parameter.low, parameter.high));
+        parts.push_back(fmt::format("{} ({})", effect.says, fmt::join(values, ", ")));
+    }
+    return fmt::format("{}", fmt::join(parts, "; and "));
+}
+
+std::string place_in_words(const Diagnosis& diagnosis) {
+    if (diagnosis.places.empty()) return "no place stands out";
+    return fmt::format("the place where a free correction helps most is the {} ({:.0f} nats)", element_name(diagnosis.places.front().element), diagnosis.places.front().nats);
+}
+
+}  // namespace
+
+std::string statement_of(const Diagnosis& diagnosis) {
+    const std::string gain = fmt::format("Per second of record the misfit is {:.3g} nats after retuning and {:.3g} with it; on what no fit has seen {:.3g} and {:.3g}.",
+                                         -diagnosis.retuned.log_likelihood_per_second, -diagnosis.after.log_likelihood_per_second,
+                                         -diagnosis.held_out_retuned.log_likelihood_per_second, -diagnosis.held_out_after.log_likelihood_per_second);
+    switch (diagnosis.verdict) {
+        case Verdict::consistent:
+            return fmt::format("Nothing significant is missing: with its own numbers retuned within their tolerances the case explains the recordings "
+                               "(third octaves within {:.2f} dB rms). No effect of the catalogue and no free correction improves on it beyond chance.",
+                               diagnosis.retuned.rms_db);
+        case Verdict::explained: return fmt::format("What the case left out: {}. {}", named_in_words(diagnosis), gain);
+        case Verdict::recording_fault: return fmt::format("The recording is at fault, not the physics: {}. {}", named_in_words(diagnosis), gain);
+        case Verdict::ambiguous: {
+            std::vector<std::string> sets;
+            for (const Rival& rival : diagnosis.rivals) sets.push_back(fmt::format("{} ({:.0f} %)", fmt::join(rival.effects, " with "), 100.0 * rival.probability));
+            return fmt::format("Something is missing, and these cannot be told apart with what was recorded: {}. What would decide: {}.", fmt::join(sets, ", or "),
+                               diagnosis.rivals.empty() ? "" : diagnosis.rivals.front().would_separate);
+        }
+        case Verdict::unexplained:
+            return fmt::format("Something is missing that no known effect explains: {}.{}", place_in_words(diagnosis),
+                               diagnosis.omitted.empty() ? "" : fmt::format(" Beside it: {}.", named_in_words(diagnosis)));
+    }
+    return {};
+}
+
+}  // namespace railpem::diagnosis

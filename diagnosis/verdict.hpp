@@ -1,0 +1,40 @@
+#pragma once
+// From fitted sets to a verdict with probabilities and words.
+
+#include "diagnosis/diagnose.hpp"
+
+namespace railpem::diagnosis {
+
+/// Evidence of free corrections at the places of the structure.
+struct PlaceStudy {
+    std::vector<PlaceEvidence> at_retuned;  ///< ranked; what each would explain of what retuning leaves
+    std::vector<PlaceEvidence> at_named;    ///< the same beside the named set: what is still missing
+    std::vector<FittedSet> anonymous;       ///< fully fitted free corrections of the best places
+};
+
+/// What the verdict is made of.
+struct Decision {
+    Verdict verdict = Verdict::consistent;
+    const FittedSet* named = nullptr;       ///< the best set, if it deserves to be named
+    std::vector<const FittedSet*> credible; ///< named and its rivals
+    double unknown_score = -1e300;          ///< of the best anonymous correction
+};
+
+Decision decide(const NamingResult& naming, const PlaceStudy& places, const VerdictThresholds& thresholds);
+
+/// Probabilities of all sets, of nothing and of the unknown; sums to 1.
+std::vector<EffectSet> posterior_of(const NamingResult& naming, const Decision& decision);
+
+/// Places with their probability: those of the sets weighted by their probability, the unknown's by its evidence.
+std::vector<PlaceEvidence> place_probabilities(const NamingResult& naming, const PlaceStudy& places, const Decision& decision);
+
+/// Labels of a set's members, parameter-errors included.
+std::vector<std::string> labels_of(const FittedSet& set);
+
+/// Elements of a set's members.
+std::vector<Element> elements_of(const FittedSet& set, const BelievedCase* believed);
+
+/// One paragraph in plain words.
+std::string statement_of(const Diagnosis& diagnosis);
+
+}  // namespace railpem::diagnosis
