@@ -1,82 +1,149 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <chrono>
+#include <algorithm>
+#include <atomic>
+#include <csignal>
 #include <memory>
+#include <set>
 
+#include "app/diagnosed_case.hpp"
 #include "app/diagnosis_inputs.hpp"
+#include "app/diagnosis_json.hpp"
+#include "app/diagnosis_report.hpp"
+#include "app/diagnosis_tables.hpp"
+#include "app/input_error.hpp"
+#include "app/inspection_beliefs.hpp"
+#include "app/output_folder.hpp"
+#include "app/progress_bar.hpp"
 #include "app/verbs.hpp"
-#include "diagnosis/name.hpp"
+#include "diagnosis/diagnose.hpp"
+#include "recordings/inspection.hpp"
 
 namespace railpem::app {
+
 namespace {
+
 struct DiagnoseRequest {
     std::string case_path, folder;
     std::vector<std::string> recordings, set;
-    double window_s = 4.0;
+    double window_s = 4.0, held_out = 0.25;
+    int threads = 0, most_effects = 3;
 };
 
-int diagnose(const DiagnoseRequest& request) {
-    const CaseFile file = read_case(request.case_path, request.set);
-    const diagnosis::BelievedCase believed = believed_case(file);
-    const auto t0 = std::chrono::steady_clock::now();
-    const auto now = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - t0).count(); };
+std::atomic<bool> interrupt_asked{false};
+
+/// Ctrl-C asks for an end with what is known; a second one ends at once.
+class InterruptGuard {
+  public:
+    InterruptGuard() {
+        interrupt_asked = false;
+        previous_ = std::signal(SIGINT, [](int) {
+            if (interrupt_asked.exchange(true)) std::_Exit(130);
+        });
+    }
+    InterruptGuard(const InterruptGuard&) = delete;
+    InterruptGuard& operator=(const InterruptGuard&) = delete;
+    ~InterruptGuard() { std::signal(SIGINT, previous_); }
+
+  private:
+    void (*previous_)(int) = SIG_DFL;
+};
+
+struct LoadedRecordings {
     std::vector<diagnosis::Observation> observations;
+    std::vector<std::vector<std::string>> faults;             ///< per observation
+    std::vector<std::vector<std::string>> channels_not_used;  ///< per observation
+};
+
+/// Recordings that are the same file twice would count the same evidence twice.
+void check_distinct(const DiagnoseRequest& request) {
+    std::set<std::string> seen;
+    std::error_code ignored;
+    for (const std::string& path : request.recordings)
+        if (!seen.insert(std::filesystem::weakly_canonical(path, ignored).string()).second)
+            throw InputError(fmt::format("{}: the same recording twice would count its evidence twice\nallowed: each recording once", path));
+}
+
+LoadedRecordings load_recordings(const DiagnoseRequest& request, const CaseFile& file, const diagnosis::BelievedCase& believed) {
+    LoadedRecordings loaded;
     for (const std::string& path : request.recordings) {
         const RecordingFile description = read_recording(path);
-        observations.push_back(diagnosis::observe(load_recording(description), description.name, believed.numbers, {.window_s = request.window_s}));
+        const recordings::Recording recording = load_recording(description);
+        const auto observation = reading_data(description, [&] {
+            return diagnosis::observe(recording, description.name, believed.numbers,
+                                      {.window_s = request.window_s, .held_out_share = request.held_out});
+        });
+        const recordings::InspectionReport inspection = recordings::inspect(recording, inspection_beliefs(file, description));
+        std::vector<std::string> faults, not_used;
+        for (const recordings::Fault& fault : inspection.faults)
+            if (fault.severity != recordings::Severity::note) faults.push_back(fault.says);
+        for (const recordings::Channel& channel : recording.series.channels)
+            if (std::find(observation.channel_names.begin(), observation.channel_names.end(), channel.description.name) == observation.channel_names.end())
+                not_used.push_back(channel.description.name);
+        loaded.observations.push_back(observation);
+        loaded.faults.push_back(std::move(faults));
+        loaded.channels_not_used.push_back(std::move(not_used));
     }
-    fmt::print("read {:.2f} s, averages {:.1f}\n", now(), observations[0].fitted.averages);
-    diagnosis::LikelihoodContext context{.believed = &believed, .observations = &observations};
-    const diagnosis::Trial trial = diagnosis::believed_trial(believed, observations);
-    auto unknowns = diagnosis::nuisance_unknowns(believed, observations);
-    fmt::print("{} unknowns\n", unknowns.size());
-    const auto p0 = now();
-    diagnosis::predict(trial, context);
-    fmt::print("predict {:.4f}\n", now() - p0);
-    diagnosis::NamingOptions options;
-    options.progress = [&, last = std::string()](const std::string& what, double) mutable {
-        if (what != last) fmt::print("{:7.2f} s {}\n", now(), what);
-        last = what;
-        std::fflush(stdout);
-    };
-    const diagnosis::NamingResult result = diagnosis::name_physics(believed, context, options);
-    fmt::print("{:.2f} s, {} candidates\n", now(), result.candidates.size());
-    for (std::size_t i = 0; i < 14; ++i) {
-        const auto& p = result.first_promises[i];
-        const auto& c = result.candidates[p.candidate];
-        std::string text;
-        for (const auto& [k, v] : c.instance.values) text += fmt::format(" {}={:g}", k, v);
-        fmt::print("promise {:9.1f} strength {:9.2g}  {}{}\n", p.gain, p.strength, diagnosis::label_of(c.instance), text);
+    return loaded;
+}
+
+std::string command_of(const DiagnoseRequest& request) {
+    std::string text = "railpem diagnose " + request.case_path;
+    for (const std::string& path : request.recordings) text += " " + path;
+    for (const std::string& option : request.set) text += " --set " + option;
+    return text + " --out " + request.folder;
+}
+
+void write_results(OutputFolder& folder, const diagnosis::Diagnosis& result, const DiagnoseRequest& request) {
+    folder.write("diagnosis.json", diagnosis_json(result));
+    for (const TextFile& table : diagnosis_tables(result)) folder.write(table.name, table.text);
+    folder.write("report.html", diagnosis_report(result, command_of(request)));
+    folder.write(kDiagnosedIrregularity, irregularity_text(result.diagnosed_numbers));
+    folder.write("diagnosed.toml", diagnosed_case_text(result));
+}
+
+int diagnose(const DiagnoseRequest& request) {
+    check_distinct(request);
+    const CaseFile file = read_case(request.case_path, request.set);
+    const diagnosis::BelievedCase believed = believed_case(file);
+    const LoadedRecordings loaded = load_recordings(request, file, believed);
+    OutputFolder folder(request.folder);
+    const InterruptGuard guard;
+    ProgressBar bar(file.name);
+    diagnosis::DiagnoseOptions options{.threads = request.threads};
+    options.naming.most_effects = request.most_effects;
+    options.progress = [&](const std::string&, double share) { bar.show(static_cast<std::size_t>(1000.0 * share), 1000); };
+    options.interrupted = [] { return interrupt_asked.load(); };
+    diagnosis::Diagnosis result = diagnosis::diagnose(believed, loaded.observations, options);
+    for (std::size_t o = 0; o < result.recordings.size(); ++o) {
+        result.recordings[o].faults = loaded.faults[o];
+        result.recordings[o].channels_not_used = loaded.channels_not_used[o];
     }
-    const auto show = [&](const diagnosis::FittedSet& set) {
-        std::string text;
-        for (std::size_t i = set.fit.trial.effects.size() - set.effects.size(); i < set.fit.trial.effects.size(); ++i) {
-            text += diagnosis::label_of(set.fit.trial.effects[i]);
-            for (const auto& [k, v] : set.fit.trial.effects[i].values) text += fmt::format(" {}={:.4g}", k, v);
-            text += "; ";
-        }
-        for (const auto& key : set.released) text += key + "; ";
-        fmt::print("score {:10.1f} logL {:10.1f} held {:9.1f} it {:2d} conv {} {}\n", set.score(), set.fit.log_likelihood, set.held_out, set.fit.iterations, set.fit.converged, text);
-    };
-    show(result.retuned);
-    for (const auto& set : result.sets) show(set);
-    const diagnosis::Fit& fit = result.sets.empty() ? result.retuned.fit : result.sets[0].fit;
-    for (std::size_t i = 0; i < fit.unknowns.size(); ++i)
-        if (fit.unknowns[i].kind == diagnosis::UnknownKind::number || fit.unknowns[i].kind == diagnosis::UnknownKind::effect || std::abs(fit.values[i] - fit.unknowns[i].mean) > 2 * fit.unknowns[i].deviation)
-        fmt::print("{:50s} {:9.5f} +- {:.5f}  ({:.2f} sd of belief)\n", fit.unknowns[i].name, fit.values[i], fit.deviation(i), (fit.values[i] - fit.unknowns[i].mean) / fit.unknowns[i].deviation);
+    write_results(folder, result, request);
+    folder.commit();
+    fmt::print("{}{}\n{}\n{}\n", diagnosis::verdict_name(result.verdict), result.interrupted ? " (interrupted)" : "", result.statement,
+               (folder.path() / "report.html").string());
     return 0;
 }
+
 }  // namespace
 
 void add_diagnose(CLI::App& program, Run& run) {
     const auto request = std::make_shared<DiagnoseRequest>();
-    CLI::App* verb = program.add_subcommand("diagnose", "what a believed case left out, told from recordings");
-    verb->add_option("CASE", request->case_path, "case file")->required();
-    verb->add_option("RECORDING", request->recordings, "recordings")->required();
-    verb->add_option("--out", request->folder, "folder");
-    verb->add_option("--window", request->window_s, "segment");
+    CLI::App* verb = program.add_subcommand(
+        "diagnose", "what a believed case left out, told from recordings: DIR/diagnosis.json, DIR/report.html, DIR/diagnosed.toml and spectra");
+    verb->add_option("CASE", request->case_path, "the case that was believed")->required();
+    verb->add_option("RECORDING", request->recordings, "recordings of the same vehicle and track, several speeds or loads together")->required();
+    verb->add_option("--out", request->folder, "folder for the results")->required()->type_name("DIR");
+    verb->add_option("--window", request->window_s, "length of a segment in s; 4 without it")->check(CLI::Range(0.25, 60.0))->type_name("S");
+    verb->add_option("--held-out", request->held_out, "share of the end of every record that no fit sees; 0.25 without it")
+        ->check(CLI::Range(0.1, 0.5))
+        ->type_name("SHARE");
+    verb->add_option("--most-effects", request->most_effects, "most effects named together; 3 without it")->check(CLI::Range(1, 4))->type_name("N");
+    verb->add_option("--threads", request->threads, "threads; all without it")->check(CLI::Range(1, 1024))->type_name("N");
     verb->add_option("--set", request->set, "override a key of the case: key=value")->type_name("KEY=VALUE")->allow_extra_args(false);
     verb->callback([request, &run] { run = [request] { return diagnose(*request); }; });
 }
+
 }  // namespace railpem::app

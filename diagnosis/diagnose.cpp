@@ -1,5 +1,7 @@
 #include "diagnosis/diagnose.hpp"
 
+#include <Eigen/Cholesky>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -17,8 +19,6 @@ namespace {
 constexpr double kNinety = 1.6449;
 constexpr int kAnonymousFits = 2;  ///< places whose free correction is fitted in full
 
-struct Interrupted {};
-
 class Diagnosing {
   public:
     Diagnosing(const BelievedCase& believed, const std::vector<Observation>& observations, const DiagnoseOptions& options)
@@ -29,8 +29,13 @@ class Diagnosing {
         const auto begin = std::chrono::steady_clock::now();
         NamingOptions naming = options_.naming;
         naming.progress = [this](const std::string& what, double share) { say(what, 0.75 * share); };
+        naming.interrupted = options_.interrupted;
         naming_ = name_physics(believed_, context_, naming);
         result_.interrupted = naming_.interrupted;
+        if (naming_.retuned.fit.unknowns.empty()) {  // ended before anything was known
+            result_.statement = "Interrupted before the case was retuned: nothing is known.";
+            return std::move(result_);
+        }
         study_places();
         const Decision decision = decide(naming_, study_, options_.thresholds);
         say("refitting on everything", 0.92);

@@ -62,12 +62,25 @@ std::vector<std::string> worth_releasing(const Fit& fit, const std::vector<std::
     return keys;
 }
 
+/// Thrown between steps when somebody wants to end the search.
+struct Interrupted {};
+
 class Search {
   public:
     Search(const BelievedCase& believed, const LikelihoodContext& context, const NamingOptions& options, NamingResult& result)
         : believed_(believed), context_(context), options_(options), result_(result) {}
 
     void run() {
+        try {
+            search();
+        } catch (const Interrupted&) {
+            result_.interrupted = true;
+        }
+        sort_sets();
+    }
+
+  private:
+    void search() {
         say("retuning", 0.0);
         retune();
         say("screening the catalogue", 0.15);
@@ -78,12 +91,11 @@ class Search {
         first_round();
         for (int members = 2; members <= options_.most_effects; ++members)
             if (!further_round(members)) break;
-        sort_sets();
     }
 
-  private:
     void say(const std::string& what, double share) {
         if (options_.progress) options_.progress(what, share);
+        if (options_.interrupted && options_.interrupted()) throw Interrupted{};
     }
 
     void retune() {

@@ -32,6 +32,7 @@ struct NamingOptions {
     double least_promise = 5.0; ///< nats to first order that deserve a refit
     double least_gain = 5.0;    ///< nats of log-evidence with prior that a further member must bring
     std::function<void(const std::string&, double)> progress;  ///< what is being done, share done
+    std::function<bool()> interrupted;  ///< asked between steps; true ends the search with what is known
 };
 
 struct NamingResult {

@@ -116,17 +116,6 @@ std::vector<PlaceEvidence> place_probabilities(const NamingResult& naming, const
     return ranked;
 }
 
-std::string verdict_name(Verdict verdict) {
-    switch (verdict) {
-        case Verdict::consistent: return "consistent";
-        case Verdict::explained: return "explained";
-        case Verdict::ambiguous: return "ambiguous";
-        case Verdict::unexplained: return "unexplained";
-        case Verdict::recording_fault: return "recording-fault";
-    }
-    return {};
-}
-
 namespace {
 
 std::string named_in_words(const Diagnosis& diagnosis) {
