@@ -50,6 +50,7 @@ Unknown structure_unknown(const CorrectionPlace& place, const std::vector<double
             .low = imaginary ? -5.0 : -0.95,
             .high = 5.0,
             .step = kStep,
+            .element = place.element,
             .set = [place, nodes, node, imaginary](Trial& trial, double x) {
                 lanes::FactorCurve& curve = curve_of(trial.numbers, place);
                 if (curve.empty()) {
@@ -68,6 +69,7 @@ Unknown spectrum_unknown(const std::vector<double>& nodes, std::size_t node) {
             .low = -4.0,
             .high = 4.0,
             .step = kStep,
+            .element = Element::irregularity,
             .set = [nodes, node](Trial& trial, double x) {
                 auto& spline = trial.numbers.irregularity.frequency_correction;
                 if (spline.frequency_hz.empty()) {

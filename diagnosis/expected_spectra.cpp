@@ -16,11 +16,18 @@
 namespace railpem::diagnosis {
 
 namespace {
+constexpr int kReachBins = 8;  ///< of the kernel; a Hann window leaves 1e-8 outside
+}
+
+recordings::KernelWeights expectation_weights(const recordings::WindowKernel& kernel, int oversampling) {
+    return recordings::kernel_weights(kernel, oversampling, kReachBins);
+}
+
+namespace {
 
 using Complex = std::complex<double>;
 
 constexpr double kSamePlace = 0.25;  ///< m: a sensor on the body counts as over the pivot or at the centre within this
-constexpr int kReachBins = 8;        ///< of the kernel; a Hann window leaves 1e-8 outside
 
 std::string response_of(const recordings::ChannelDescription& channel, const pem::CaseParameters& parameters) {
     using recordings::Location;
@@ -68,13 +75,13 @@ Complex channel_factor(const pem::CaseParameters& parameters, const ObservedChan
 /// The transfers from the four wheels to all channels on a coarse grid that covers the fine one, sensors included.
 pem::WheelTransfers channel_transfers(const pem::CaseParameters& parameters, const pem::CoupledModel& model,
                                       const std::vector<ObservedChannel>& channels, const FineGrid& grid,
-                                      const ExpectationOptions& options) {
+                                      const ExpectationOptions& options, std::vector<pem::RailGroup>* rails) {
     const double from = std::max(options.transfer_step_hz, grid.frequency(0) - 2.0 * options.transfer_step_hz);
     const std::size_t lines = static_cast<std::size_t>((grid.frequency(grid.count) - from) / options.transfer_step_hz) + 4;
     std::vector<std::size_t> responses;
     for (const ObservedChannel& channel : channels) responses.push_back(channel.response);
     pem::WheelTransfers transfers =
-        pem::wheel_transfers(model, from, options.transfer_step_hz, lines, responses, options.threads);
+        pem::wheel_transfers(model, from, options.transfer_step_hz, lines, responses, options.threads, rails);
     for (std::size_t c = 0; c < channels.size(); ++c) {
         const bool plain = channels[c].integrations == 0 && parameters.sensors.empty();
         for (std::size_t line = 0; !plain && line < lines; ++line) {
@@ -206,21 +213,31 @@ std::vector<ObservedChannel> observed_channels(const std::vector<recordings::Cha
 
 ExpectedSpectra expected_spectra(const pem::CaseParameters& parameters, double speed,
                                  const recordings::WindowKernel& kernel, const std::vector<ObservedChannel>& channels,
-                                 const std::vector<double>& noise_psd, const ExpectationOptions& options) {
+                                 const std::vector<double>& noise_psd, const ExpectationOptions& options,
+                                 const ExpectationCache* known, Reuse reuse, ExpectationCache* filled) {
     const double bin = kernel.bin_hz();
     ExpectedSpectra expected{.channels = channels.size()};
     expected.first_bin = static_cast<std::size_t>(std::ceil(options.low_hz / bin));
     const std::size_t bins = static_cast<std::size_t>(options.high_hz / bin) - expected.first_bin + 1;
     expected.values.assign(bins * channels.size() * channels.size(), 0.0);
 
-    pem::CoupledModel model = pem::coupled_model(parameters, speed);
-    pem::linearise(parameters, pem::excitation_sources(parameters, model.wheels_m, speed), model);
+    const std::vector<double> wheels = vehicle::wheel_positions(parameters.vehicle);
     const FineGrid grid = fine_grid(kernel, expected.first_bin, bins, options.oversampling);
-    const pem::WheelTransfers transfers = channel_transfers(parameters, model, channels, grid, options);
-    const recordings::KernelWeights weights = recordings::kernel_weights(kernel, options.oversampling, kReachBins);
-    const pem::Excitation excitation = pem::excitation(parameters, model.wheels_m, speed);
+    pem::WheelTransfers own;
+    if (reuse != Reuse::transfers) {
+        pem::CoupledModel model = pem::coupled_model(parameters, speed);
+        if (pem::is_nonlinear(parameters)) pem::linearise(parameters, pem::excitation_sources(parameters, wheels, speed), model);
+        std::vector<pem::RailGroup> rails;
+        if (reuse == Reuse::rail) rails = known->rails;
+        own = channel_transfers(parameters, model, channels, grid, options, &rails);
+        if (filled) *filled = {std::move(rails), own};
+    }
+    const pem::WheelTransfers& transfers = reuse == Reuse::transfers ? known->transfers : own;
+    const recordings::KernelWeights weights =
+        options.weights.weights.empty() ? expectation_weights(kernel, options.oversampling) : options.weights;
+    const pem::Excitation excitation = pem::excitation(parameters, wheels, speed);
     for (const pem::DelayedSpectrum& source : excitation.broadband)
-        add_broadband(fine_responses(transfers, source, model.wheels_m, speed, grid), weights, grid, expected);
+        add_broadband(fine_responses(transfers, source, wheels, speed, grid), weights, grid, expected);
     for (const pem::LineSet& set : excitation.lines) add_lines(parameters, transfers, set, kernel, expected);
     add_sensor_noise(parameters, channels, bin, expected);
     for (std::size_t b = 0; b < bins; ++b)

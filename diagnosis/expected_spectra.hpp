@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "pem/case_parameters.hpp"
+#include "pem/wheel_transfers.hpp"
 #include "recordings/cross_spectra.hpp"
 
 namespace railpem::diagnosis {
@@ -44,14 +45,31 @@ struct ExpectationOptions {
     double transfer_step_hz = 0.5;  ///< grid of the single-wheel transfers, which are smooth
     int oversampling = 4;           ///< fine lines per bin; at least 2·(1 + longest wheel delay/segment)
     int threads = 0;
+    recordings::KernelWeights weights;  ///< of the kernel, when whoever asks often has them already; else computed
 };
+
+/// The kernel on the fine grid of an expectation.
+recordings::KernelWeights expectation_weights(const recordings::WindowKernel& kernel, int oversampling);
+
+/// What one expectation leaves for others that differ from it only in part.
+struct ExpectationCache {
+    std::vector<pem::RailGroup> rails;
+    pem::WheelTransfers transfers;
+};
+
+/// What may be taken from the cache: nothing, the rail (track and speed are the same) or all transfers (only the
+/// excitation differs).
+enum class Reuse { nothing, rail, transfers };
 
 /// Expectation of the windowed estimate: ∫|W(f − f')|² S(f') df' with S = Σ_s y_s y_sᴴ over all broadband sources with their delays,
 /// plus P·K(f − f_l) for every line l of power P, plus noise.
 /// The single-wheel transfers are solved on a coarse grid and interpolated; delays and irregularity enter analytically on the fine grid.
 /// `noise_psd`: per observed channel, (m/s²)²/Hz, flat. Sensors of the case are applied.
+/// `reuse` says what is taken from `known`; `filled` receives what others may reuse.
 ExpectedSpectra expected_spectra(const pem::CaseParameters& parameters, double speed_m_per_s, const recordings::WindowKernel& kernel,
-                                 const std::vector<ObservedChannel>& channels, const std::vector<double>& noise_psd, const ExpectationOptions& options);
+                                 const std::vector<ObservedChannel>& channels, const std::vector<double>& noise_psd, const ExpectationOptions& options,
+                                 const ExpectationCache* known = nullptr, Reuse reuse = Reuse::nothing,
+                                 ExpectationCache* filled = nullptr);
 
 /// tr(S⁻¹Ŝ)/channels at every bin: 1 on average when the model predicts what the estimator measures.
 std::vector<double> whitened_trace(const ExpectedSpectra& expected, const recordings::CrossSpectra& measured, const std::vector<ObservedChannel>& channels);

@@ -12,8 +12,8 @@ namespace railpem::diagnosis {
 namespace {
 
 /// Floors of the stages: a likelihood blunted by 10 % has one broad maximum; each stage brings the next within reach.
-constexpr double kStages[] = {0.1, 0.03, 0.01, 0.003};
-constexpr int kStageIterations = 3;
+constexpr double kStages[] = {0.1, 0.02, 0.004};
+constexpr int kStageIterations = 2;
 constexpr double kFirstDamping = 1e-3;
 constexpr double kMostDamping = 1e6;
 constexpr double kLongestStep = 3.0;  ///< in deviations of the belief
@@ -96,7 +96,7 @@ std::vector<double> moved(const State& state, const std::vector<Unknown>& unknow
 
 /// Climbs at one floor. Returns true when a further step promises too little.
 bool climb(const Trial& base, const std::vector<Unknown>& unknowns, const LikelihoodContext& context, const FitOptions& options,
-           int most, double& damping, State& state, int& iterations) {
+           int most, double& damping, State& state, int& iterations, Normal* last = nullptr) {
     for (int i = 0; i < most; ++i) {
         if (options.between) options.between();
         const Normal normal = normal_equations(state, unknowns, context);
@@ -104,7 +104,10 @@ bool climb(const Trial& base, const std::vector<Unknown>& unknowns, const Likeli
         bool better = false;
         while (damping < kMostDamping) {
             const Eigen::VectorXd step = damped_step(normal, state, unknowns, damping);
-            if (0.5 * step.dot(normal.gradient) < options.least_gain) return true;
+            if (0.5 * step.dot(normal.gradient) < options.least_gain) {
+                if (last) *last = normal;
+                return true;
+            }
             State next = state_at(base, unknowns, moved(state, unknowns, step), context);
             better = next.log_posterior > state.log_posterior;
             if (better) {
@@ -155,8 +158,9 @@ Fit fit(const Trial& base, std::vector<Unknown> unknowns, std::vector<double> st
             values = std::move(state.values);
         }
     State state = state_at(base, unknowns, std::move(values), context);
-    result.converged = climb(base, unknowns, context, options, options.iterations, damping, state, result.iterations);
-    const Normal normal = normal_equations(state, unknowns, context);
+    Normal normal;
+    result.converged = climb(base, unknowns, context, options, options.iterations, damping, state, result.iterations, &normal);
+    if (!result.converged) normal = normal_equations(state, unknowns, context);
     const long size = static_cast<long>(unknowns.size());
     Eigen::VectorXd deviations(size);
     for (long i = 0; i < size; ++i) deviations(i) = unknowns[static_cast<std::size_t>(i)].deviation;

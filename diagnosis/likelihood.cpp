@@ -162,7 +162,48 @@ void add_prediction_columns(const Trial& trial, const Observation& observation, 
     }
 }
 
+/// Linearised laws depend on the excitation.
+bool depends_on_level(const Trial& trial) {
+    return trial.numbers.vehicle.primary.friction_force_n > 0.0 || trial.numbers.vehicle.secondary.friction_force_n > 0.0 ||
+           trial.numbers.contact.nonlinearity_factor > 0.0 ||
+           std::any_of(trial.effects.begin(), trial.effects.end(), [](const EffectInstance& effect) {
+               return effect.effect == "suspension-friction" || effect.effect == "contact-nonlinearity";
+           });
+}
+
+Reuse shared_with(const Trial& trial, Element element) {
+    switch (element) {
+        case Element::irregularity: return depends_on_level(trial) ? Reuse::rail : Reuse::transfers;
+        case Element::pad:
+        case Element::rail:
+        case Element::support: return Reuse::nothing;
+        default: break;
+    }
+    // The wheel load moves the pads where their stiffness follows it.
+    const bool load_matters = trial.numbers.track.statics.wheel_load_n == 0.0 &&
+                              (trial.numbers.track.pads.preload_strength > 0.0 ||
+                               std::any_of(trial.effects.begin(), trial.effects.end(),
+                                           [](const EffectInstance& effect) { return effect.effect == "pad-preload-stiffening"; }));
+    return load_matters ? Reuse::nothing : Reuse::rail;
+}
+
 }  // namespace
+
+Reuse shared_with(const Trial& trial, const Unknown& unknown) {
+    switch (unknown.kind) {
+        case UnknownKind::irregularity:
+        case UnknownKind::passing: return shared_with(trial, Element::irregularity);
+        case UnknownKind::number: return shared_with(trial, element_of_key(unknown.name));
+        case UnknownKind::effect: return shared_with(trial, trial.effects[static_cast<std::size_t>(unknown.index)]);
+        case UnknownKind::correction: return shared_with(trial, unknown.element);
+        case UnknownKind::gain: return Reuse::rail;
+        default: return Reuse::nothing;
+    }
+}
+
+Reuse shared_with(const Trial& trial, const EffectInstance& effect) {
+    return shared_with(trial, element_of(*find_effect(effect.effect), effect));
+}
 
 const MeasuredSpectra& measured(const Observation& observation, Part part) {
     return part == Part::fitted ? observation.fitted : part == Part::held_out ? observation.held_out : observation.all;
@@ -181,13 +222,14 @@ Eigen::MatrixXcd complete_prediction(const Trial& trial, const Observation& obse
 
 Predictions predict(const Trial& trial, const LikelihoodContext& context) {
     const std::vector<Observation>& observations = *context.observations;
-    Predictions predictions(observations.size());
+    Predictions predictions{std::vector<ExpectedSpectra>(observations.size()), std::vector<ExpectationCache>(observations.size())};
     std::exception_ptr failure;
 #pragma omp parallel for schedule(dynamic, 1) num_threads(thread_count(context))
     for (std::size_t o = 0; o < observations.size(); ++o) try {
             const Observation& observation = observations[o];
-            predictions[o] = expected_spectra(case_of(trial, *context.believed, observation), trial.speed_m_per_s[o],
-                                              observation.kernel, observation.channels, {}, observation.expectation);
+            predictions.spectra[o] = expected_spectra(case_of(trial, *context.believed, observation), trial.speed_m_per_s[o],
+                                                      observation.kernel, observation.channels, {}, observation.expectation,
+                                                      nullptr, Reuse::nothing, &predictions.caches[o]);
         } catch (...) {
 #pragma omp critical(railpem_predict)
             failure = std::current_exception();
@@ -219,7 +261,8 @@ std::vector<PredictionDerivative> differentiate(const Trial& trial, const std::v
             const Observation& observation = observations[o];
             const ExpectedSpectra spectra =
                 expected_spectra(case_of(moved, *context.believed, observation), moved.speed_m_per_s[o], observation.kernel,
-                                 observation.channels, {}, observation.expectation);
+                                 observation.channels, {}, observation.expectation, &predictions.caches[o],
+                                 shared_with(trial, unknown));
             own.values.resize(spectra.values.size());
             for (std::size_t i = 0; i < spectra.values.size(); ++i)
                 own.values[i] = Complex((spectra.values[i] - predictions[o].values[i]) / step);

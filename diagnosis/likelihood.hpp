@@ -12,8 +12,16 @@ namespace railpem::diagnosis {
 /// Which part of the recordings speaks.
 enum class Part { fitted, held_out, all };
 
-/// Predictions of a trial for every observation, without noise and floor.
-using Predictions = std::vector<ExpectedSpectra>;
+/// Predictions of a trial for every observation, without noise and floor, and what makes similar ones cheap.
+struct Predictions {
+    std::vector<ExpectedSpectra> spectra;
+    std::vector<ExpectationCache> caches;
+    const ExpectedSpectra& operator[](std::size_t observation) const { return spectra[observation]; }
+};
+
+/// What a trial that differs in one unknown, or by one effect, shares with the trial that the predictions are of.
+Reuse shared_with(const Trial& trial, const Unknown& unknown);
+Reuse shared_with(const Trial& trial, const EffectInstance& effect);
 
 /// The derivative of the prediction of one observation with one unknown, or nothing when it does not move it.
 struct PredictionDerivative {

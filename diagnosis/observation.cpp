@@ -82,6 +82,7 @@ Observation observe(const recordings::Recording& recording, const std::string& n
         throw parameters::ParameterError("channel", "none of the channels is a response that the case has",
                                          "channels on body centre, body over the pivots, bogies, wheels or rail");
     observation.kernel = all.kernel();
+    observation.expectation.weights = expectation_weights(observation.kernel, observation.expectation.oversampling);
     const auto [longest, shortest] = wavelengths(believed.irregularity);
     const double v = observation.speed_m_per_s;
     observation.expectation.low_hz = std::max(options.low_hz, v / longest / kEdge);

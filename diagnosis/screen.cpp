@@ -31,7 +31,8 @@ std::vector<PredictionDerivative> directions(const Fit& fit, const std::vector<C
         const Observation& observation = observations[o];
         try {
             const ExpectedSpectra with = expected_spectra(case_of(trial, *context.believed, observation), trial.speed_m_per_s[o], observation.kernel,
-                                                          observation.channels, {}, observation.expectation);
+                                                          observation.channels, {}, observation.expectation,
+                                                          &fit.predictions.caches[o], shared_with(trial, candidates[first + c].probe));
             own.values.resize(with.values.size());
             for (std::size_t k = 0; k < with.values.size(); ++k)
                 own.values[k] = (with.values[k] - fit.predictions[o].values[k]);

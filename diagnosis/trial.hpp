@@ -49,7 +49,8 @@ struct Unknown {
     double high = 1e300;
     double step = 1e-6;    ///< of the numerical derivative: what a step adds at second order is seen against the noise
     int observation = -1;  ///< the only one that it moves; −1: all
-    int index = 0;         ///< noise: channel; floor: group·nodes + node
+    int index = 0;         ///< noise: channel; floor: group·nodes + node; effect: place in Trial::effects
+    Element element = Element::body;  ///< correction: where
     std::function<void(Trial&, double)> set;
 };
 

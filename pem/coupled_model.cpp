@@ -89,21 +89,32 @@ void add_convected_change(const CoupledModel& model, lanes::Real omega, WheelMat
 
 }  // namespace
 
-const GroupSolution& solve_group(const CoupledModel& model, lanes::Real omega, CoupledWorkspace& workspace) {
-    GroupSolution& solution = workspace.solution;
-    solution.omega = omega;
-    solution.car = vehicle::wheel_receptance(model.car, omega, workspace.car);
+RailGroup rail_group(const CoupledModel& model, lanes::Real omega, CoupledWorkspace& workspace) {
+    RailGroup group{.omega = omega};
     const track::RailReceptance& rail = workspace.rail->at(omega);
     for (int i = 0; i < 4; ++i) {
-        for (int j = 0; j < 4; ++j) solution.rail[i][j] = rail.at(i, j);
-        solution.trackbed[i] = rail.trackbed[static_cast<std::size_t>(i)];
+        for (int j = 0; j < 4; ++j) group.rail[i][j] = rail.at(i, j);
+        group.trackbed[i] = rail.trackbed[static_cast<std::size_t>(i)];
     }
-    if (!model.convected.distances_m.empty()) add_convected_change(model, omega, solution.rail);
+    if (!model.convected.distances_m.empty()) add_convected_change(model, omega, group.rail);
+    return group;
+}
+
+const GroupSolution& solve_group(const CoupledModel& model, const RailGroup& rail, CoupledWorkspace& workspace) {
+    GroupSolution& solution = workspace.solution;
+    solution.omega = rail.omega;
+    solution.car = vehicle::wheel_receptance(model.car, rail.omega, workspace.car);
+    solution.rail = rail.rail;
+    solution.trackbed = rail.trackbed;
     for (int i = 0; i < 4; ++i)
         for (int j = 0; j < 4; ++j) solution.forces[i][j] = solution.car.wheel(i, j) + solution.rail[i][j];
-    add_contact_compliance(model, omega, solution.forces);
+    add_contact_compliance(model, rail.omega, solution.forces);
     invert(solution.forces);
     return solution;
+}
+
+const GroupSolution& solve_group(const CoupledModel& model, lanes::Real omega, CoupledWorkspace& workspace) {
+    return solve_group(model, rail_group(model, omega, workspace), workspace);
 }
 
 WheelVector contact_forces(const GroupSolution& solution, const WheelVector& irregularity) {

@@ -46,6 +46,13 @@ struct GroupSolution {
     WheelVector trackbed;  ///< sum of all pad forces per unit force at each wheel
 };
 
+/// The rail's part of one group of lines. It does not depend on vehicle, contact or excitation.
+struct RailGroup {
+    lanes::Real omega{};
+    WheelMatrix rail;      ///< receptances between the wheels, in motion if the case says so
+    WheelVector trackbed;  ///< sum of all pad forces per unit force at each wheel
+};
+
 /// What one thread needs.
 struct CoupledWorkspace {
     explicit CoupledWorkspace(const CoupledModel& model) : car(model.car), rail(model.rail->evaluator()) {}
@@ -53,6 +60,11 @@ struct CoupledWorkspace {
     std::unique_ptr<RailEvaluator> rail;
     GroupSolution solution;
 };
+
+RailGroup rail_group(const CoupledModel& model, lanes::Real omega, CoupledWorkspace& workspace);
+
+/// Vehicle and contact on a rail that is known.
+const GroupSolution& solve_group(const CoupledModel& model, const RailGroup& rail, CoupledWorkspace& workspace);
 
 /// P = (1/K_h + V + R)⁻¹·r: V and R the receptances of vehicle and rail at the wheels, r the irregularity (upwards).
 const GroupSolution& solve_group(const CoupledModel& model, lanes::Real omega, CoupledWorkspace& workspace);

@@ -18,11 +18,6 @@ constexpr double kRelaxation = 0.7;   ///< of the new value; friction alone conv
 constexpr int kMostLines = 512;
 constexpr double kSmallestVelocity = 1e-9;  ///< m/s; keeps the equivalent damping finite when nothing moves
 
-bool nonlinear(const CaseParameters& parameters) {
-    return parameters.vehicle.primary.friction_force_n > 0.0 || parameters.vehicle.secondary.friction_force_n > 0.0 ||
-           parameters.contact.nonlinearity_factor > 0.0;
-}
-
 /// E[max(δ̄ + σξ, 0)^p] for standard Gaussian ξ, by the midpoint rule in ξ over ±9.
 template <class Function>
 double gaussian_mean(Function&& value) {
@@ -83,6 +78,11 @@ double friction_damping(double force, double velocity) { return force * std::sqr
 
 }  // namespace
 
+bool is_nonlinear(const CaseParameters& parameters) {
+    return parameters.vehicle.primary.friction_force_n > 0.0 || parameters.vehicle.secondary.friction_force_n > 0.0 ||
+           parameters.contact.nonlinearity_factor > 0.0;
+}
+
 MeanContact mean_contact(double constant, double wheel_load, double deviation) {
     const double at_rest = constant * std::cbrt(wheel_load * wheel_load);  // δ0 = G·P0^{2/3}
     const double linear = contact_stiffness(constant, wheel_load);
@@ -102,7 +102,7 @@ MeanContact mean_contact(double constant, double wheel_load, double deviation) {
 
 Linearisation linearise(const CaseParameters& parameters, const std::vector<Source>& sources, CoupledModel& model) {
     Linearisation result;
-    if (!nonlinear(parameters)) return result;
+    if (!is_nonlinear(parameters)) return result;
     const double constant = contact_constant(parameters.contact, parameters.vehicle.wheel_radius_m);
     const double load = wheel_load_n(parameters);
     const double linear = contact_stiffness(constant, load);

@@ -7,6 +7,9 @@
 
 namespace railpem::pem {
 
+/// Whether a case has friction or a nonlinear contact.
+bool is_nonlinear(const CaseParameters& parameters);
+
 /// Finds the equivalent damping and stiffness that are consistent with the response they cause and puts them into `model`.
 /// - friction F·sgn(u̇): c = F·√(2/π)/σ_u̇ (Gaussian closure; Roberts & Spanos 1990, eq. 5.42);
 /// - contact (δ/G)^{3/2}: K = ∂E[P]/∂δ̄ with E[P] = P0 and δ Gaussian, opening where δ < 0;

@@ -12,11 +12,14 @@
 
 namespace railpem::pem {
 
-WheelTransfers wheel_transfers(const CoupledModel& model, double from_hz, double step_hz, std::size_t lines, std::vector<std::size_t> responses, int threads) {
+WheelTransfers wheel_transfers(const CoupledModel& model, double from_hz, double step_hz, std::size_t lines, std::vector<std::size_t> responses, int threads,
+                               std::vector<RailGroup>* rails) {
     WheelTransfers transfers{.from_hz = from_hz, .step_hz = step_hz, .lines = lines, .responses = std::move(responses), .values = {}};
     const std::size_t kept = transfers.responses.size();
     transfers.values.resize(lines * kept * 4);
     const std::size_t groups = (lines + lanes::width - 1) / lanes::width;
+    const bool known = rails && rails->size() == groups;
+    if (rails && !known) rails->resize(groups);
 #pragma omp parallel num_threads(threads > 0 ? threads : omp_get_max_threads())
     {
         CoupledWorkspace workspace(model);
@@ -27,7 +30,9 @@ WheelTransfers wheel_transfers(const CoupledModel& model, double from_hz, double
             const std::size_t first = group * lanes::width;
             for (int lane = 0; lane < lanes::width; ++lane)
                 omega[lane] = 2.0 * std::numbers::pi * (from_hz + static_cast<double>(std::min(first + static_cast<std::size_t>(lane), lines - 1)) * step_hz);
-            const GroupSolution& solution = solve_group(model, omega, workspace);
+            const RailGroup rail = known ? (*rails)[group] : rail_group(model, omega, workspace);
+            if (rails && !known) (*rails)[group] = rail;
+            const GroupSolution& solution = solve_group(model, rail, workspace);
             for (std::size_t wheel = 0; wheel < 4; ++wheel) {
                 WheelVector unit;
                 unit[wheel] = lanes::Complex(1.0);

@@ -22,8 +22,9 @@ struct WheelTransfers {
 };
 
 /// Solves the transfers of a prepared (and, if need be, linearised) model on a grid; lines in parallel.
+/// `rails`: kept from an earlier call with the same track, speed and grid they are used again; empty ones are filled.
 WheelTransfers wheel_transfers(const CoupledModel& model, double from_hz, double step_hz, std::size_t lines, std::vector<std::size_t> responses,
-                               int threads = 0);
+                               int threads = 0, std::vector<RailGroup>* rails = nullptr);
 
 /// The transfers between the grid's lines by cubic (four-point Lagrange) interpolation into `result`, [response][wheel]; the
 /// nearest cubic beyond the ends. Error (step⁴·3/128)·|T''''|; a resonance of half-power width b needs a step of at most b/2 for 1 %.
