@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
+#include "recordings/page/thinned_spectrum.hpp"
 #include "recordings/units.hpp"
 
 namespace railpem::recordings {
@@ -17,28 +18,13 @@ std::string group_of(const ChannelDescription& channel) {
     return names[static_cast<int>(channel.location)];
 }
 
-double rounded(double value) {
-    if (value == 0.0 || !std::isfinite(value)) return value;
-    const double scale = std::pow(10.0, 4.0 - std::floor(std::log10(std::abs(value))));
-    return std::round(value * scale) / scale;
-}
-
-/// At most about 700 points: bins as they are at low frequency, means of groups of bins (1 % wide) above. Zero is left
-/// out.
+/// Means of groups of bins; zero is left out.
 Json curve(const std::vector<double>& frequency, const std::vector<double>& values) {
+    const std::vector<BinGroup> groups = bin_groups(frequency);
+    const std::vector<double> x = group_means(groups, frequency), y = group_means(groups, values);
     Json points = Json::array();
-    for (std::size_t k = 1; k < frequency.size();) {
-        std::size_t end = k + 1;
-        while (end < frequency.size() && frequency[end] < 1.01 * frequency[k]) ++end;
-        double sum = 0.0, f = 0.0;
-        for (std::size_t i = k; i < end; ++i) {
-            sum += values[i];
-            f += frequency[i];
-        }
-        const double mean = sum / static_cast<double>(end - k);
-        if (mean > 0.0) points.push_back({{"x", rounded(f / static_cast<double>(end - k))}, {"y", rounded(mean)}});
-        k = end;
-    }
+    for (std::size_t k = 0; k < groups.size(); ++k)
+        if (y[k] > 0.0) points.push_back({{"x", x[k]}, {"y", y[k]}});
     return points;
 }
 

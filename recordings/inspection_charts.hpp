@@ -7,7 +7,7 @@
 
 namespace railpem::recordings {
 
-/// Data of the page's charts, as page/inspection.js takes them: {named: [{f, name}], charts: [{id, x, y, yType, sets,
+/// Data of the page's charts, as page/charts.js takes them: {named: [{f, name}], charts: [{id, x, y, yType, sets,
 /// marks}]}.
 nlohmann::json chart_data(const InspectionReport& report);
 

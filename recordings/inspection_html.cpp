@@ -7,40 +7,11 @@
 #include "recordings/inspection_words.hpp"
 #include "recordings/inspection_writers.hpp"
 #include "recordings/page/page_parts.hpp"
+#include "recordings/page/page_text.hpp"
 #include "recordings/units.hpp"
 
 namespace railpem::recordings {
 namespace {
-
-/// Text that comes from files, made harmless in a page.
-std::string escaped(const std::string& text) {
-    std::string out;
-    for (const char c : text) {
-        if (c == '&')
-            out += "&amp;";
-        else if (c == '<')
-            out += "&lt;";
-        else if (c == '>')
-            out += "&gt;";
-        else if (c == '"')
-            out += "&quot;";
-        else
-            out += c;
-    }
-    return out;
-}
-
-/// JSON inside a script element: nothing in it may end the element.
-std::string script_json(const nlohmann::json& json) {
-    std::string text = json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace), out;
-    for (const char c : text) {
-        if (c == '<')
-            out += "\\u003c";
-        else
-            out += c;
-    }
-    return out;
-}
 
 std::string list(const std::string& heading, const std::vector<std::string>& items) {
     if (items.empty()) return "";
@@ -139,10 +110,7 @@ std::string to_html(const InspectionReport& report) {
     for (const Fault& fault : report.faults)
         if (severity.empty() && fault.severity != Severity::note)
             severity = severity_name(fault.severity);  // errors come first
-    std::string out =
-        "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
-        "content=\"width=device-width, initial-scale=1\"><title>" +
-        escaped(title) + "</title>\n<style>\n" + std::string(page_style()) + "</style></head>\n<body><main>\n";
+    std::string out = page_head(title, inspection_style());
     out += "<h1>" + escaped(title) + "</h1><p class=\"soft\">" + escaped(report.file) + "</p>\n";
     out += "<p class=\"verdict " + severity + "\">" + verdict_of(report) + "</p>\n" + facts(report) +
            fault_table(report) + channel_table(report);
@@ -158,9 +126,8 @@ std::string to_html(const InspectionReport& report) {
     const std::string words = averages_words(report);
     out += "<footer><p>" + escaped(words) +
            " Dashed lines mark frequencies that have a name at this speed. Charts: Chart.js (MIT "
-           "licence).</p></footer>\n</main>\n";
-    out += "<script>" + std::string(chart_script()) + "</script>\n<script type=\"application/json\" id=\"report\">" +
-           script_json(data) + "</script>\n<script>\n" + std::string(page_script()) + "</script>\n</body></html>\n";
+           "licence).</p></footer>\n" +
+           page_end(data, "pageCharts(pageData());\n");
     return out;
 }
 
