@@ -12,7 +12,7 @@ namespace {
 
 using diagnosis::Element;
 
-// Millimetres of a drawing 820 wide and 340 high; heights from the top.
+// Millimetres of a drawing 870 wide and 340 high; heights from the top.
 constexpr double kBogies[] = {150, 470};
 constexpr double kHalfWheelbase = 58;
 constexpr double kRailTop = 222, kRailFoot = 232, kRailEnds[] = {14, 606};
@@ -162,7 +162,7 @@ double probability_of(const diagnosis::Diagnosis& diagnosis, Element element) {
 
 std::string vehicle_drawing(const diagnosis::Diagnosis& diagnosis) {
     std::string out =
-        "<svg class=\"drawing\" viewBox=\"0 0 820 340\" role=\"img\" aria-label=\"Vehicle and track with the places of "
+        "<svg class=\"drawing\" viewBox=\"0 0 870 340\" role=\"img\" aria-label=\"Vehicle and track with the places of "
         "the "
         "mismatch\">\n";
     for (const Element element : kPainted) {
