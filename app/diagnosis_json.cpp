@@ -24,9 +24,8 @@ Json numbers(const std::vector<double>& values) {
 
 /// A choice as the catalogue takes it: wheels and orders are numbers, channels and keys are texts.
 Json choice(const std::string& text) {
-    const bool digits = !text.empty() && text.size() < 10 && std::all_of(text.begin(), text.end(), [](unsigned char c) {
-        return std::isdigit(c) != 0;
-    });
+    const bool digits = !text.empty() && text.size() < 10 &&
+                        std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
     return {{"value", digits ? Json(std::stoi(text)) : Json(text)}};
 }
 
@@ -142,16 +141,11 @@ Json complex_json(const std::vector<std::complex<double>>& values) {
 }
 
 Json curve_json(const diagnosis::InferredCurve& curve) {
-    return {{"element", element_name(curve.element)},
-            {"unit", curve.unit},
-            {"frequency_hz", numbers(curve.frequency_hz)},
-            {"value", complex_json(curve.value)},
-            {"real_low", numbers(curve.real_low)},
-            {"real_high", numbers(curve.real_high)},
-            {"imaginary_low", numbers(curve.imaginary_low)},
-            {"imaginary_high", numbers(curve.imaginary_high)},
-            {"retuned", complex_json(curve.retuned)},
-            {"diagnosed", complex_json(curve.diagnosed)}};
+    return {{"element", element_name(curve.element)},        {"unit", curve.unit},
+            {"frequency_hz", numbers(curve.frequency_hz)},   {"value", complex_json(curve.value)},
+            {"real_low", numbers(curve.real_low)},           {"real_high", numbers(curve.real_high)},
+            {"imaginary_low", numbers(curve.imaginary_low)}, {"imaginary_high", numbers(curve.imaginary_high)},
+            {"retuned", complex_json(curve.retuned)},        {"diagnosed", complex_json(curve.diagnosed)}};
 }
 
 /// All of a list as an array, also when it is empty.

@@ -37,8 +37,7 @@ class Rows {
         separate();
         if (!std::isfinite(value)) return *this;
         std::array<char, 32> digits{};
-        const auto end =
-            std::to_chars(digits.begin(), digits.end(), value, std::chars_format::general, kDigits).ptr;
+        const auto end = std::to_chars(digits.begin(), digits.end(), value, std::chars_format::general, kDigits).ptr;
         text_.append(digits.begin(), end);
         return *this;
     }

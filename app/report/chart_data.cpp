@@ -43,12 +43,13 @@ Json spectra_sets(const ChannelComparison& channel, const std::vector<recordings
     const auto thinned = [&](const std::vector<double>& values) {
         return values.size() == channel.frequency_hz.size() ? group_means(groups, values) : std::vector<double>{};
     };
-    Json sets = Json::array();
-    add_band(sets, thinned(channel.low), thinned(channel.high));
-    add_set(sets, "recorded (shaded: 90 %)", "measured", thinned(channel.measured), {{"dash", Json::array()}, {"width", 1.2}});
+    Json sets = Json::array();  // the first is painted last
     add_set(sets, "believed", "believed", thinned(channel.believed), {{"dash", {7, 4}}, {"width", 1.8}});
     add_set(sets, "retuned", "retuned", thinned(channel.retuned), {{"dash", {2, 3}}, {"width", 1.8}});
     add_set(sets, "diagnosed", "diagnosed", thinned(channel.diagnosed), {{"dash", Json::array()}, {"width", 1.8}});
+    add_set(sets, "recorded (shaded: 90 %)", "measured", thinned(channel.measured),
+            {{"dash", Json::array()}, {"width", 1}});
+    add_band(sets, thinned(channel.low), thinned(channel.high));
     return sets;
 }
 
@@ -77,10 +78,11 @@ std::vector<double> part(const std::vector<std::complex<double>>& values, bool r
 
 Json curve_chart(const diagnosis::InferredCurve& curve, std::size_t index, bool real) {
     Json sets = Json::array();
-    add_band(sets, real ? curve.real_low : curve.imaginary_low, real ? curve.real_high : curve.imaginary_high);
-    add_set(sets, "inferred (shaded: 90 %)", "measured", part(curve.value, real), {{"dash", Json::array()}, {"width", 2}});
+    add_set(sets, "inferred (shaded: 90 %)", "measured", part(curve.value, real),
+            {{"dash", Json::array()}, {"width", 2}});
     add_set(sets, "retuned", "retuned", part(curve.retuned, real), {{"dash", {2, 3}}, {"width", 1.8}});
     add_set(sets, "diagnosed", "diagnosed", part(curve.diagnosed, real), {{"dash", Json::array()}, {"width", 1.8}});
+    add_band(sets, real ? curve.real_low : curve.imaginary_low, real ? curve.real_high : curve.imaginary_high);
     return {{"id", (real ? "curve_real_" : "curve_imaginary_") + std::to_string(index)},
             {"x", "frequency, Hz"},
             {"y", (real ? "real part, " : "imaginary part, ") + curve.unit},

@@ -20,8 +20,8 @@ std::string title_of(const ChannelComparison& channel) {
 }
 
 std::string canvas(const std::string& id, const std::string& label, bool low) {
-    return fmt::format("<div class=\"chart{}\"><canvas id=\"{}\" role=\"img\" aria-label=\"{}\"></canvas></div>\n", low ? " low" : "",
-                       id, label);
+    return fmt::format("<div class=\"chart{}\"><canvas id=\"{}\" role=\"img\" aria-label=\"{}\"></canvas></div>\n",
+                       low ? " low" : "", id, label);
 }
 
 std::string pair_of_charts(const std::string& which, const std::string& label) {
@@ -32,7 +32,8 @@ std::string pair_of_charts(const std::string& which, const std::string& label) {
 /// A misfit on a ground that grows darker with it.
 std::string cell(double value_db) {
     const double shade = std::isfinite(value_db) ? std::clamp(value_db / 6.0, 0.0, 1.0) : 0.0;
-    return fmt::format("<td class=\"number\" style=\"background:rgb(var(--warm) / {:.2f})\">{}</td>", 0.75 * shade, decibels(value_db));
+    return fmt::format("<td class=\"number\" style=\"background:rgb(var(--warm) / {:.2f})\">{}</td>", 0.75 * shade,
+                       decibels(value_db));
 }
 
 std::string misfit_table(const Diagnosis& diagnosis) {
@@ -41,9 +42,10 @@ std::string misfit_table(const Diagnosis& diagnosis) {
         "class=\"number\">Believed</th><th class=\"number\">Retuned</th><th "
         "class=\"number\">Diagnosed</th></tr></thead><tbody>\n";
     for (const ChannelComparison& c : diagnosis.channels)
-        out += fmt::format("<tr><td>{}</td><td>{}</td><td class=\"number\">{} m/s</td>{}{}{}</tr>\n", escaped(c.channel),
-                           escaped(c.recording), figure(c.speed_m_per_s), cell(rms_level_db(c.band_believed_db)),
-                           cell(rms_level_db(c.band_retuned_db)), cell(rms_level_db(c.band_diagnosed_db)));
+        out +=
+            fmt::format("<tr><td>{}</td><td>{}</td><td class=\"number\">{} m/s</td>{}{}{}</tr>\n", escaped(c.channel),
+                        escaped(c.recording), figure(c.speed_m_per_s), cell(rms_level_db(c.band_believed_db)),
+                        cell(rms_level_db(c.band_retuned_db)), cell(rms_level_db(c.band_diagnosed_db)));
     return out + "</tbody></table></div>\n";
 }
 
@@ -67,10 +69,13 @@ std::string comparison(const Diagnosis& diagnosis) {
     const ChannelComparison& worst = diagnosis.channels[worst_channel(diagnosis)];
     std::string out = "<h2>Recorded against simulated</h2>\n";
     out += fmt::format(
-        "<p>Worst channel: <b>{}</b>. Root mean square of the third-octave differences: <i class=\"believed\">believed {}</i>, "
-        "<i class=\"retuned\">retuned {}</i>, <i class=\"diagnosed\">diagnosed {}</i>.</p>\n",
+        "<p>Worst channel: <b>{}</b>. Root mean square of the third-octave differences: <i class=\"believed\">believed "
+        "{}</i>, "
+        "<i class=\"retuned\">retuned {}</i>{}.</p>\n",
         title_of(worst), decibels(rms_level_db(worst.band_believed_db)), decibels(rms_level_db(worst.band_retuned_db)),
-        decibels(rms_level_db(worst.band_diagnosed_db)));
+        worst.band_diagnosed_db.empty()
+            ? ""
+            : ", <i class=\"diagnosed\">diagnosed " + decibels(rms_level_db(worst.band_diagnosed_db)) + "</i>");
     out += pair_of_charts("worst", "Worst channel");
     out += "<h3>Every channel</h3>\n" + selector(diagnosis) + pair_of_charts("chosen", "Chosen channel") +
            "<p class=\"soft\">Root mean square of the third-octave differences:</p>" + misfit_table(diagnosis);
@@ -86,8 +91,8 @@ std::string inferred_curves(const Diagnosis& diagnosis) {
         out += fmt::format(
             "<p>At <b>{}</b>, from {} to {} Hz, with no law assumed: the real part changes by {}; by the <i "
             "class=\"retuned\">retuned</i> law {}, by the <i class=\"diagnosed\">diagnosed</i> law {}.</p>\n",
-            place_words(curve.element), figure(curve.frequency_hz.front()), figure(curve.frequency_hz.back()), change(curve.value),
-            change(curve.retuned), change(curve.diagnosed));
+            place_words(curve.element), figure(curve.frequency_hz.front()), figure(curve.frequency_hz.back()),
+            change(curve.value), change(curve.retuned), change(curve.diagnosed));
         const std::string n = std::to_string(i), name = element_name(curve.element);
         out += "<div class=\"two\">" + canvas("curve_real_" + n, name + ": real part", true) +
                canvas("curve_imaginary_" + n, name + ": imaginary part", true) + "</div>\n";

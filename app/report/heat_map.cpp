@@ -17,7 +17,7 @@ using diagnosis::Diagnosis;
 using recordings::escaped;
 using Levels = std::vector<double> ChannelComparison::*;
 
-constexpr double kLeft = 112, kTop = 8, kWidth = 520, kHalfBand = 0.05;  // a third octave is 0.1 decades wide
+constexpr double kLeft = 124, kTop = 8, kWidth = 508, kHalfBand = 0.05;  // a third octave is 0.1 decades wide
 
 /// What the maps have in common: rows, and the scales of frequency and colour.
 struct Frame {
@@ -46,8 +46,8 @@ Frame frame_of(const Diagnosis& diagnosis) {
     for (const ChannelComparison* row : frame.rows) {
         frame.low = std::min(frame.low, std::log10(row->band_centre_hz.front()) - kHalfBand);
         frame.high = std::max(frame.high, std::log10(row->band_centre_hz.back()) + kHalfBand);
-        for (const Levels levels :
-             {&ChannelComparison::band_believed_db, &ChannelComparison::band_retuned_db, &ChannelComparison::band_diagnosed_db})
+        for (const Levels levels : {&ChannelComparison::band_believed_db, &ChannelComparison::band_retuned_db,
+                                    &ChannelComparison::band_diagnosed_db})
             for (const double level : row->*levels)
                 if (std::isfinite(level)) frame.largest_db = std::max(frame.largest_db, std::abs(level));
     }
@@ -73,8 +73,8 @@ std::string cells(const Frame& frame, Levels levels) {
                 "<rect class=\"{}\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" "
                 "fill-opacity=\"{:.2f}\"><title>{}, {}, {:g} Hz: {}</title></rect>",
                 level > 0.0 ? "up" : "down", left, frame.y(r), frame.x(centre * std::pow(10.0, kHalfBand)) - left,
-                frame.row_height, opacity(level, frame.largest_db), escaped(row.channel), escaped(row.recording), centre,
-                decibels(level, true));
+                frame.row_height, opacity(level, frame.largest_db), escaped(row.channel), escaped(row.recording),
+                centre, decibels(level, true));
         }
     }
     return out + "\n";
@@ -88,10 +88,10 @@ std::string outlines(const Frame& frame, const Diagnosis& diagnosis) {
             if (row.channel != m.channel && row.channel != m.other_channel) continue;
             if (!m.recording.empty() && row.recording != m.recording) continue;
             const double left = frame.x(std::max(m.low_hz, 1e-3));
-            out += fmt::format(
-                "<rect class=\"outline{}\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/>",
-                m.other_channel.empty() ? "" : " pair", left, frame.y(r) + 0.75,
-                std::max(frame.x(std::max(m.high_hz, 1e-3)) - left, 3.0), frame.row_height - 1.5);
+            out +=
+                fmt::format("<rect class=\"outline{}\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/>",
+                            m.other_channel.empty() ? "" : " pair", left, frame.y(r) + 0.75,
+                            std::max(frame.x(std::max(m.high_hz, 1e-3)) - left, 3.0), frame.row_height - 1.5);
         }
     return out + "\n";
 }
@@ -107,14 +107,18 @@ std::string axes(const Frame& frame) {
                            0.5 * (frame.y(r) + frame.y(end)) + 4, escaped(frame.rows[r]->channel));
     }
     const double bottom = frame.bottom();
-    out += fmt::format("<path class=\"axis\" d=\"M{0:g} {1:.1f}h{2:g}M{0:g} {3:g}V{1:.1f}\"/>", kLeft, bottom, kWidth, kTop);
+    out += fmt::format("<path class=\"axis\" d=\"M{0:g} {1:.1f}h{2:g}M{0:g} {3:g}V{1:.1f}\"/>", kLeft, bottom, kWidth,
+                       kTop);
     for (const double tick : {0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0, 2000.0}) {
         const double decade = std::log10(tick);
         if (decade < frame.low || decade > frame.high) continue;
-        out += fmt::format("<path class=\"axis\" d=\"M{0:.1f} {1:.1f}v5\"/><text class=\"tick\" x=\"{0:.1f}\" y=\"{2:.1f}\">{3:g}</text>",
-                           frame.x(tick), bottom, bottom + 19, tick);
+        out += fmt::format(
+            "<path class=\"axis\" d=\"M{0:.1f} {1:.1f}v5\"/><text class=\"tick\" x=\"{0:.1f}\" "
+            "y=\"{2:.1f}\">{3:g}</text>",
+            frame.x(tick), bottom, bottom + 19, tick);
     }
-    return out + fmt::format("<text class=\"tick\" x=\"{:g}\" y=\"{:.1f}\">frequency, Hz</text>\n", kLeft + 0.5 * kWidth, bottom + 36);
+    return out + fmt::format("<text class=\"tick\" x=\"{:g}\" y=\"{:.1f}\">frequency, Hz</text>\n",
+                             kLeft + 0.5 * kWidth, bottom + 36);
 }
 
 /// The colours from the most negative to the most positive difference.
@@ -123,14 +127,28 @@ std::string colour_scale(const Frame& frame) {
     constexpr int kSteps = 10;
     std::string out;
     for (int i = -kSteps; i <= kSteps; ++i)
-        out += fmt::format("<rect class=\"{}\" x=\"{:g}\" y=\"{:.1f}\" width=\"{:g}\" height=\"10\" fill-opacity=\"{:.2f}\"/>",
-                           i > 0 ? "up" : "down", kLeft + 134 + step * (i + kSteps), top, step, opacity(i, kSteps));
+        out += fmt::format(
+            "<rect class=\"{}\" x=\"{:g}\" y=\"{:.1f}\" width=\"{:g}\" height=\"10\" fill-opacity=\"{:.2f}\"/>",
+            i > 0 ? "up" : "down", kLeft + 134 + step * (i + kSteps), top, step, opacity(i, kSteps));
     const double middle = kLeft + 134 + step * (kSteps + 0.5);
     out += fmt::format(
-        "<text class=\"tick\" x=\"{0:g}\" y=\"{1:.1f}\">0 dB</text><text class=\"row\" x=\"{2:g}\" y=\"{3:.1f}\">model too loud −{4:g} dB</text>"
-        "<text class=\"end\" x=\"{5:g}\" y=\"{3:.1f}\">+{4:g} dB model too quiet</text>",
+        "<text class=\"tick\" x=\"{0:g}\" y=\"{1:.1f}\">0 dB</text><text class=\"row\" x=\"{2:g}\" "
+        "y=\"{3:.1f}\">−{4:g} dB</text>"
+        "<text class=\"end\" x=\"{5:g}\" y=\"{3:.1f}\">+{4:g} dB</text>",
         middle, top + 25, kLeft + 128, top + 9, frame.largest_db, kLeft + 140 + step * (2 * kSteps + 1));
     return out;
+}
+
+/// Which of a channel's rows is which recording.
+std::string row_words(const Frame& frame) {
+    std::string out;
+    for (const ChannelComparison* row : frame.rows)
+        if (row->channel == frame.rows[0]->channel && !row->recording.empty())
+            out += fmt::format("{}{} ({} m/s)", out.empty() ? "" : ", ", escaped(row->recording),
+                               figure(row->speed_m_per_s));
+    return "<p class=\"soft\"><i class=\"red\">Red</i>: more was recorded than the model predicts; <i "
+           "class=\"blue\">blue</i>: less." +
+           (out.empty() ? out : " Rows of a channel, from the top: " + out + ".") + "</p>";
 }
 
 }  // namespace
@@ -143,20 +161,24 @@ std::string heat_maps(const Diagnosis& diagnosis) {
         Levels levels;
     };
     std::string inputs, labels, maps;
-    for (const Map& map : {Map{"believed", &ChannelComparison::band_believed_db}, Map{"retuned", &ChannelComparison::band_retuned_db},
-                           Map{"diagnosed", &ChannelComparison::band_diagnosed_db}}) {
+    for (const Map& map :
+         {Map{"believed", &ChannelComparison::band_believed_db}, Map{"retuned", &ChannelComparison::band_retuned_db},
+          Map{"diagnosed", &ChannelComparison::band_diagnosed_db}}) {
         const std::string body = cells(frame, map.levels);
         if (body.size() < 2) continue;
-        const bool shown = map.name == std::string("believed");
-        inputs += fmt::format("<input type=\"radio\" name=\"map\" id=\"map_{0}\"{1}>", map.name, shown ? " checked" : "");
+        const bool shown =
+            map.name == std::string(diagnosis.verdict == diagnosis::Verdict::consistent ? "retuned" : "believed");
+        inputs +=
+            fmt::format("<input type=\"radio\" name=\"map\" id=\"map_{0}\"{1}>", map.name, shown ? " checked" : "");
         labels += fmt::format("<label for=\"map_{0}\">{0}</label>", map.name);
         maps += fmt::format(
-            "<svg class=\"map {0}\" viewBox=\"0 0 640 {1:.0f}\" role=\"img\" aria-label=\"Level difference of the {0} case\">{2}{3}{4}{5}</svg>\n",
-            map.name, frame.bottom() + 76, body, map.name == std::string("diagnosed") ? "" : outlines(frame, diagnosis), axes(frame),
-            colour_scale(frame));
+            "<svg class=\"map {0}\" viewBox=\"0 0 640 {1:.0f}\" role=\"img\" aria-label=\"Level difference of the {0} "
+            "case\">{2}{3}{4}{5}</svg>\n",
+            map.name, frame.bottom() + 76, body, map.name == std::string("diagnosed") ? "" : outlines(frame, diagnosis),
+            axes(frame), colour_scale(frame));
     }
     return "<div class=\"maps\">" + inputs + "<div class=\"tabs\"><span>recording over</span>" + labels +
-           "</div><div class=\"wide\">" + maps + "</div></div>\n";
+           "</div><div class=\"wide\">" + maps + "</div>" + row_words(frame) + "</div>\n";
 }
 
 }  // namespace railpem::app::report

@@ -17,20 +17,23 @@ std::string parameter_rows(const diagnosis::NamedEffect& effect) {
     std::string out;
     for (const diagnosis::FittedParameter& p : effect.parameters)
         out += fmt::format(
-            "<tr><td>{}</td><td class=\"number\">{}</td><td class=\"number\">{} to {}</td><td>{}</td></tr>\n", escaped(p.name),
-            figure(p.value, 4), figure(p.low, 4), figure(p.high, 4), p.unit == "1" ? "–" : escaped(p.unit));
+            "<tr><td>{}</td><td class=\"number\">{}</td><td class=\"number\">{} to {}</td><td>{}</td></tr>\n",
+            escaped(p.name), figure(p.value, 4), figure(p.low, 4), figure(p.high, 4),
+            p.unit == "1" ? "–" : escaped(p.unit));
     return out;
 }
 
 std::string effect_card(const diagnosis::NamedEffect& effect) {
-    std::string out = fmt::format(
-        "<article class=\"card\"><h3>{}{}</h3><p>{}</p>\n<p class=\"soft\">At {}; probability {}.</p>\n",
-        escaped(effect.instance.effect), choice_words(effect.instance), sentence(effect.says), place_words(effect.element),
-        percent(effect.probability));
+    std::string out =
+        fmt::format("<article class=\"card\"><h3>{}{}</h3><p>{}</p>\n<p class=\"soft\">At {}; probability {}.</p>\n",
+                    escaped(effect.instance.effect), choice_words(effect.instance), sentence(effect.says),
+                    place_words(effect.element), percent(effect.probability));
     if (!effect.parameters.empty())
-        out += "<div class=\"scroll\"><table><thead><tr><th>Parameter</th><th class=\"number\">Value</th><th class=\"number\">90 % "
-               "interval</th><th>Unit</th></tr></thead><tbody>" +
-               parameter_rows(effect) + "</tbody></table></div>\n";
+        out +=
+            "<div class=\"scroll\"><table><thead><tr><th>Parameter</th><th class=\"number\">Value</th><th "
+            "class=\"number\">90 % "
+            "interval</th><th>Unit</th></tr></thead><tbody>" +
+            parameter_rows(effect) + "</tbody></table></div>\n";
     if (!effect.source.empty()) out += "<p class=\"soft\">Source: " + escaped(effect.source) + "</p>";
     return out + "</article>\n";
 }
@@ -38,7 +41,8 @@ std::string effect_card(const diagnosis::NamedEffect& effect) {
 std::string rms_bar(const std::string& name, const char* kind, double value_db, double largest_db) {
     const double width = std::isfinite(value_db) ? 100.0 * std::clamp(value_db / largest_db, 0.0, 1.0) : 0.0;
     return fmt::format(
-        "<div class=\"bar\"><span>{}</span><span class=\"track\"><i class=\"{}\" style=\"width:{:.1f}%\"></i></span><span "
+        "<div class=\"bar\"><span>{}</span><span class=\"track\"><i class=\"{}\" "
+        "style=\"width:{:.1f}%\"></i></span><span "
         "class=\"number\">{}</span></div>\n",
         name, kind, width, decibels(value_db));
 }
@@ -48,14 +52,17 @@ std::string fit_bars(const Diagnosis& d, bool seen) {
     const auto& retuned = seen ? d.retuned : d.held_out_retuned;
     const auto& after = seen ? d.after : d.held_out_after;
     double largest = 0.5;  // dB: below this no bar should look long
-    for (const diagnosis::FitFigures* fit : {&d.before, &d.retuned, &d.after, &d.held_out_before, &d.held_out_retuned, &d.held_out_after})
+    for (const diagnosis::FitFigures* fit :
+         {&d.before, &d.retuned, &d.after, &d.held_out_before, &d.held_out_retuned, &d.held_out_after})
         if (std::isfinite(fit->rms_db)) largest = std::max(largest, fit->rms_db);
     std::string out = seen ? "<div class=\"panel\"><h3>On the data that were fitted</h3>"
                            : "<div class=\"panel\"><h3>On data that no fit has seen</h3>";
-    out += rms_bar("believed", "believed", before.rms_db, largest) + rms_bar("retuned", "retuned", retuned.rms_db, largest) +
+    out += rms_bar("believed", "believed", before.rms_db, largest) +
+           rms_bar("retuned", "retuned", retuned.rms_db, largest) +
            rms_bar("diagnosed", "diagnosed", after.rms_db, largest);
     return out + fmt::format(
-                     "<p class=\"soft\">Log-likelihood per second, 0 is the best possible: believed {}, retuned {}, diagnosed "
+                     "<p class=\"soft\">Log-likelihood per second, 0 is the best possible: believed {}, retuned {}, "
+                     "diagnosed "
                      "{}.</p></div>\n",
                      figure(before.log_likelihood_per_second), figure(retuned.log_likelihood_per_second),
                      figure(after.log_likelihood_per_second));
@@ -64,13 +71,15 @@ std::string fit_bars(const Diagnosis& d, bool seen) {
 std::string rival_card(const diagnosis::Rival& rival) {
     std::string values;
     for (const diagnosis::EffectInstance& instance : rival.instances) {
-        for (const auto& [name, text] : instance.choices) values += (values.empty() ? "" : ", ") + escaped(name + " " + text);
+        for (const auto& [name, text] : instance.choices)
+            values += (values.empty() ? "" : ", ") + escaped(name + " " + text);
         for (const auto& [name, value] : instance.values)
             values += (values.empty() ? "" : ", ") + escaped(name) + " " + figure(value);
     }
-    std::string out = fmt::format("<article class=\"card\"><h3>{}</h3><p class=\"soft\">Probability {}, {} nats behind{}.</p>",
-                                  set_words(rival.effects), percent(rival.probability), figure(rival.nats_behind),
-                                  values.empty() ? "" : "; " + values);
+    std::string out =
+        fmt::format("<article class=\"card\"><h3>{}</h3><p class=\"soft\">Probability {}, {} nats behind{}.</p>",
+                    set_words(rival.effects), percent(rival.probability), figure(rival.nats_behind),
+                    values.empty() ? "" : "; " + values);
     if (!rival.why_not.empty()) out += "<p><b>Why not:</b> " + sentence(rival.why_not) + "</p>";
     if (!rival.would_separate.empty()) out += "<p><b>Would separate:</b> " + sentence(rival.would_separate) + "</p>";
     return out + "</article>\n";
@@ -81,9 +90,13 @@ std::string rival_card(const diagnosis::Rival& rival) {
 std::string left_out(const Diagnosis& diagnosis) {
     std::string out = "<h2>What was left out</h2>\n";
     if (diagnosis.omitted.empty()) {
-        const bool nothing = diagnosis.verdict == diagnosis::Verdict::consistent;
-        return out + (nothing ? "<p>Nothing that these recordings could show.</p>\n"
-                              : fmt::format("<p>No single set of effects can be named; {} are listed below.</p>\n", diagnosis.rivals.size()));
+        if (diagnosis.verdict == diagnosis::Verdict::consistent)
+            return out + "<p>Nothing that these recordings could show.</p>\n";
+        if (diagnosis.verdict == diagnosis::Verdict::ambiguous)
+            return out +
+                   fmt::format("<p>{} sets of effects explain it about equally well; they are the rivals below.</p>\n",
+                               diagnosis.rivals.size());
+        return out + "<p>No effect of the catalogue describes it; the nearest are the rivals below.</p>\n";
     }
     out += "<div class=\"cards\">";
     for (const diagnosis::NamedEffect& effect : diagnosis.omitted) out += effect_card(effect);
@@ -91,18 +104,23 @@ std::string left_out(const Diagnosis& diagnosis) {
 }
 
 std::string explained_share(const Diagnosis& diagnosis) {
-    std::string out = "<h2>How much it explains</h2>\n<p>Root mean square over channels and third octaves of the level difference "
+    const bool nothing = diagnosis.verdict == diagnosis::Verdict::consistent;
+    std::string out = std::string(nothing ? "<h2>How well it fits</h2>" : "<h2>How much it explains</h2>") +
+                      "\n<p>Root mean square over channels and third octaves of the level difference "
                       "between recording and model.</p>\n<div class=\"two\">" +
                       fit_bars(diagnosis, true) + fit_bars(diagnosis, false) + "</div>\n";
     if (diagnosis.omitted.empty()) return out;
-    out += "<div class=\"scroll\"><table><thead><tr><th>Effect</th><th class=\"number\">Nats on data seen</th><th "
-           "class=\"number\">Nats on data unseen</th></tr></thead><tbody>\n";
+    out +=
+        "<div class=\"scroll\"><table><thead><tr><th>Effect</th><th class=\"number\">Nats on data seen</th><th "
+        "class=\"number\">Nats on data unseen</th></tr></thead><tbody>\n";
     for (const diagnosis::NamedEffect& effect : diagnosis.omitted)
         out += fmt::format("<tr><td>{}{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td></tr>\n",
                            escaped(effect.instance.effect), choice_words(effect.instance), figure(effect.nats_fitted),
                            figure(effect.nats_held_out));
-    return out + "</tbody></table></div>\n<p class=\"soft\">Nats: natural units of log-likelihood that the effect wins over the "
-                 "retuned case.</p>\n";
+    return out +
+           "</tbody></table></div>\n<p class=\"soft\">Nats: natural units of log-likelihood that the effect wins over "
+           "the "
+           "retuned case.</p>\n";
 }
 
 std::string rivals(const Diagnosis& diagnosis) {
@@ -111,9 +129,11 @@ std::string rivals(const Diagnosis& diagnosis) {
     for (std::size_t i = 0; i < std::min(kShown, diagnosis.posterior.size()); ++i) {
         const diagnosis::EffectSet& set = diagnosis.posterior[i];
         out += fmt::format(
-            "<div class=\"bar wide\"><span>{}</span><span class=\"track\"><i class=\"hot\" style=\"width:{:.1f}%\"></i></span><span "
+            "<div class=\"bar wide\"><span>{}</span><span class=\"track\"><i class=\"hot\" "
+            "style=\"width:{:.1f}%\"></i></span><span "
             "class=\"number\">{}</span></div>\n",
-            set_words(set.effects), std::isfinite(set.probability) ? 100.0 * std::clamp(set.probability, 0.0, 1.0) : 0.0,
+            set_words(set.effects),
+            std::isfinite(set.probability) ? 100.0 * std::clamp(set.probability, 0.0, 1.0) : 0.0,
             percent(set.probability));
     }
     if (diagnosis.rivals.empty()) return out + "<p>No other set of effects came near.</p>\n";
@@ -124,7 +144,8 @@ std::string rivals(const Diagnosis& diagnosis) {
 
 std::string remaining(const Diagnosis& diagnosis) {
     const std::string list = plain_list(diagnosis.remains);
-    const double rms = std::isfinite(diagnosis.held_out_after.rms_db) ? diagnosis.held_out_after.rms_db : diagnosis.after.rms_db;
+    const double rms =
+        std::isfinite(diagnosis.held_out_after.rms_db) ? diagnosis.held_out_after.rms_db : diagnosis.after.rms_db;
     return fmt::format("<h2>What remains unexplained</h2>\n<p>{} of misfit are left.{}</p>\n{}", decibels(rms),
                        list.empty() ? " Nothing in it is significant." : "", list);
 }

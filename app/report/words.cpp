@@ -15,7 +15,17 @@ using diagnosis::Verdict;
 using recordings::escaped;
 
 std::string figure(double value, int digits) {
-    return std::isfinite(value) ? fmt::format("{:.{}g}", value, digits) : "–";
+    if (!std::isfinite(value)) return "–";
+    const std::string text = fmt::format("{:.{}e}", value, digits - 1);
+    const double shown = std::stod(text);
+    if (shown == 0.0 || (std::abs(shown) >= 1e-3 && std::abs(shown) < 1e5)) return fmt::format("{:.10g}", shown);
+    const std::size_t e = text.find('e');
+    std::string mantissa = text.substr(0, e);
+    if (mantissa.find('.') != std::string::npos) {
+        mantissa.erase(mantissa.find_last_not_of('0') + 1);
+        if (mantissa.back() == '.') mantissa.pop_back();
+    }
+    return mantissa + "e" + std::to_string(std::stoi(text.substr(e + 1)));
 }
 
 std::string percent(double share) {
@@ -34,7 +44,7 @@ std::string decibels(double value, bool sign) {
 
 std::string chance(double probability) {
     if (!std::isfinite(probability)) return "–";
-    return probability < 1e-12 ? "&lt; 1e-12" : fmt::format("{:.1g}", probability);
+    return probability < 1e-12 ? "&lt; 1e-12" : figure(probability, 1);
 }
 
 std::string sentence(const std::string& text) {
@@ -46,10 +56,17 @@ std::string sentence(const std::string& text) {
 }
 
 std::string place_words(Element element) {
-    static const char* const words[] = {"the secondary suspension", "the primary suspension", "the car body",
-                                        "the bogie frames",         "the wheelsets",          "the contact",
-                                        "the rail",                 "the rail pads",          "the support",
-                                        "the irregularity",         "a sensor"};
+    static const char* const words[] = {"the secondary suspension",
+                                        "the primary suspension",
+                                        "the car body",
+                                        "the bogie frames",
+                                        "the wheelsets",
+                                        "the contact",
+                                        "the rail",
+                                        "the rail pads",
+                                        "the support",
+                                        "the irregularity",
+                                        "a sensor"};
     return words[static_cast<std::size_t>(element)];
 }
 
@@ -63,8 +80,7 @@ std::string set_words(const std::vector<std::string>& effects) {
 
 std::string choice_words(const diagnosis::EffectInstance& instance) {
     std::string out;
-    for (const auto& [name, value] : instance.choices)
-        out += (out.empty() ? " (" : ", ") + escaped(name + " " + value);
+    for (const auto& [name, value] : instance.choices) out += (out.empty() ? " (" : ", ") + escaped(name + " " + value);
     return out.empty() ? out : out + ")";
 }
 
@@ -73,17 +89,35 @@ namespace {
 std::string named(const Diagnosis& diagnosis) {
     if (diagnosis.omitted.empty()) return "";
     if (diagnosis.omitted.size() == 1)
-        return sentence(diagnosis.omitted[0].says + choice_words(diagnosis.omitted[0].instance));
+        return escaped(diagnosis.omitted[0].says) + choice_words(diagnosis.omitted[0].instance) + ".";
     std::string out;
     for (const diagnosis::NamedEffect& effect : diagnosis.omitted)
         out += (out.empty() ? "" : ", and ") + escaped(effect.instance.effect) + choice_words(effect.instance);
-    return fmt::format("{} things: {}.", diagnosis.omitted.size(), out);
+    return out + ".";
+}
+
+/// Wrong values and nothing else: "track.pads.stiffness_n_per_m × 1.40"; empty when an effect is among them.
+std::string wrong_values(const Diagnosis& diagnosis) {
+    std::string out;
+    for (const diagnosis::NamedEffect& effect : diagnosis.omitted) {
+        const auto key = effect.instance.choices.find("parameter");
+        const auto factor = effect.instance.values.find("factor");
+        if (effect.instance.effect != "parameter-error" || key == effect.instance.choices.end() ||
+            factor == effect.instance.values.end())
+            return "";
+        out += (out.empty() ? "" : ", ") + escaped(key->second) + " is " + figure(factor->second) +
+               " times what was believed";
+    }
+    return out;
 }
 
 std::string rivals_named(const Diagnosis& diagnosis) {
     std::string out;
     for (std::size_t i = 0; i < diagnosis.rivals.size(); ++i)
-        out += (i == 0 ? "" : i + 1 == diagnosis.rivals.size() ? " or " : ", ") + set_words(diagnosis.rivals[i].effects);
+        out += (i == 0                             ? ""
+                : i + 1 == diagnosis.rivals.size() ? " or "
+                                                   : ", ") +
+               set_words(diagnosis.rivals[i].effects);
     return fmt::format("{} explanations stand: {}.", diagnosis.rivals.size(), out);
 }
 
@@ -94,11 +128,13 @@ std::string headline(const Diagnosis& diagnosis) {
         case Verdict::consistent:
             return "Nothing significant is missing from the simulation.";
         case Verdict::explained:
+            if (const std::string wrong = wrong_values(diagnosis); !wrong.empty())
+                return "Nothing is left out: " + wrong + ".";
             return "Left out: " + named(diagnosis);
         case Verdict::ambiguous:
             return rivals_named(diagnosis);
         case Verdict::recording_fault:
-            return "The recording is at fault, not the simulation. " + named(diagnosis);
+            return "The recording is at fault, not the simulation: " + named(diagnosis);
         case Verdict::unexplained:
             break;
     }
@@ -110,7 +146,7 @@ std::string headline(const Diagnosis& diagnosis) {
 std::string plain_list(const std::vector<std::string>& items) {
     if (items.empty()) return "";
     std::string out = "<ul class=\"plain\">";
-    for (const std::string& item : items) out += "<li>" + sentence(item) + "</li>";
+    for (const std::string& item : items) out += "<li>" + escaped(item) + "</li>";
     return out + "</ul>\n";
 }
 

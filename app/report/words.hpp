@@ -8,7 +8,7 @@
 
 namespace railpem::app::report {
 
-/// Three significant digits and thin thousands ("1 230 000" as 1.23e6); "–" when there is no value.
+/// So many significant digits: "1770", "0.151", "1.31e8"; "–" when there is no value.
 std::string figure(double value, int digits = 3);
 
 /// A probability or share: "97 %", "99.8 %", "> 99.9 %", "< 0.1 %", "–".
@@ -17,7 +17,7 @@ std::string percent(double share);
 /// "3.4 dB", "+3.1 dB" with `sign`.
 std::string decibels(double value, bool sign = false);
 
-/// A chance of false alarm: "1e-06", "< 1e-12", "0.02".
+/// A chance of false alarm: "1e-6", "< 1e-12", "0.02".
 std::string chance(double probability);
 
 /// The first letter large and a full stop at the end.

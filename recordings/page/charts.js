@@ -52,8 +52,9 @@ function pageCharts(data) {
     if (axis.type === 'logarithmic') {
       const decade = Math.round(Math.log10(value) * 1000) / 1000;
       const leading = Math.round(value / Math.pow(10, Math.floor(decade + 1e-9)));
-      if (axis.axis === 'y' ? !Number.isInteger(decade) : ![1, 2, 5].includes(leading)) return '';
+      if (axis.axis === 'y' ? !Number.isInteger(decade) : ![1, 2, 5].includes(leading) || Math.abs(decade - Math.floor(decade + 1e-9) - Math.log10(leading)) > 2e-3) return '';
     }
+    if (axis.type === 'logarithmic') value = Number(value.toPrecision(3));
     return value !== 0 && (Math.abs(value) < 1e-3 || Math.abs(value) >= 1e5) ? value.toExponential(axis.type === 'logarithmic' ? 0 : 1) : String(Math.round(value * 1e6) / 1e6);
   }
 

@@ -51,8 +51,8 @@ std::string page_head(const std::string& title, std::string_view style) {
 
 std::string page_end(const nlohmann::json& data, std::string_view script) {
     return "</main>\n<script>" + std::string(chart_library()) +
-           "</script>\n<script type=\"application/json\" id=\"report\">" + script_json(data) +
-           "</script>\n<script>\n" + std::string(charts_script()) + std::string(script) + "</script>\n</body></html>\n";
+           "</script>\n<script type=\"application/json\" id=\"report\">" + script_json(data) + "</script>\n<script>\n" +
+           std::string(charts_script()) + std::string(script) + "</script>\n</body></html>\n";
 }
 
 }  // namespace railpem::recordings

@@ -51,7 +51,7 @@ ChannelComparison comparison(const std::string& recording, const std::string& ch
 }
 
 const std::vector<std::string>& channel_list() {
-    static const std::vector<std::string> list{"axlebox_1", "axlebox_2", "axlebox_3",  "axlebox_4",  "bogie_1",
+    static const std::vector<std::string> list{"axlebox_1", "axlebox_2",  "axlebox_3",   "axlebox_4", "bogie_1",
                                                "bogie_2",   "body_front", "body_centre", "body_rear"};
     return list;
 }
@@ -80,7 +80,8 @@ InferredCurve pad_curve() {
                                          std::complex<double>(0.0, 2.0 * 3.14159 * f * 4.5e4);
         const double width = 2e6 * (1.0 + 30.0 / f + f / 60.0);
         curve.frequency_hz.push_back(f);
-        curve.value.push_back(law + std::complex<double>(0.4 * width * std::sin(3.0 * i), 0.4 * width * std::cos(2.0 * i)));
+        curve.value.push_back(law +
+                              std::complex<double>(0.4 * width * std::sin(3.0 * i), 0.4 * width * std::cos(2.0 * i)));
         curve.real_low.push_back(curve.value.back().real() - width);
         curve.real_high.push_back(curve.value.back().real() + width);
         curve.imaginary_low.push_back(curve.value.back().imag() - width);
@@ -91,7 +92,8 @@ InferredCurve pad_curve() {
     return curve;
 }
 
-RetunedNumber number(const std::string& key, const std::string& unit, double believed, double factor, double tolerance) {
+RetunedNumber number(const std::string& key, const std::string& unit, double believed, double factor,
+                     double tolerance) {
     const double away = std::log(factor) / tolerance;
     return {.key = key,
             .unit = unit,
@@ -113,7 +115,8 @@ Diagnosis base() {
     }
     d.recordings[1].faults = {"axlebox_3 is clipped at 196.2 m/s² in 14 samples near 31.2 s"};
     d.recordings[1].channels_not_used = {"cab_microphone: no place in the model"};
-    d.not_tested = {"rail-damper with two instances: one was not credible", "sleeper-flexibility: needs the two-layer support"};
+    d.not_tested = {"rail-damper with two instances: one was not credible",
+                    "sleeper-flexibility: needs the two-layer support"};
     d.rests_on = {"two speeds, 16.67 and 22.22 m/s: structure stays at its frequency, irregularity does not",
                   "the believed irregularity with its tolerance of 3 dB; it was not measured"};
     d.before = {3.43, -12.1};
@@ -150,19 +153,20 @@ NamedEffect pad_effect() {
 }
 
 std::vector<Rival> rival_list() {
-    return {{.effects = {"pad-hysteresis"},
-             .instances = {{.effect = "pad-hysteresis", .values = {{"loss_factor", 0.231}}}},
-             .probability = 0.0173,
-             .nats_behind = 14.2,
-             .why_not = "its loss at 20 Hz is twice what axlebox_1 & bogie_1 allow",
-             .would_separate = "a third speed of 33 m/s, 4 minutes: 11 nats per minute between their predictions"},
-            {.effects = {"pad-preload-stiffening", "support-compliance"},
-             .instances = {{.effect = "pad-preload-stiffening", .values = {{"strength", 0.71}}},
-                           {.effect = "support-compliance", .values = {{"mass_kg", 142}, {"stiffness_n_per_m", 1.1e8}}}},
-             .probability = 0.0071,
-             .nats_behind = 17.9,
-             .why_not = "the strength differs between the recordings by 3.1 standard deviations",
-             .would_separate = "the same run with the car empty, 9 minutes"}};
+    return {
+        {.effects = {"pad-hysteresis"},
+         .instances = {{.effect = "pad-hysteresis", .values = {{"loss_factor", 0.231}}}},
+         .probability = 0.0173,
+         .nats_behind = 14.2,
+         .why_not = "its loss at 20 Hz is twice what axlebox_1 & bogie_1 allow",
+         .would_separate = "a third speed of 33 m/s, 4 minutes: 11 nats per minute between their predictions"},
+        {.effects = {"pad-preload-stiffening", "support-compliance"},
+         .instances = {{.effect = "pad-preload-stiffening", .values = {{"strength", 0.71}}},
+                       {.effect = "support-compliance", .values = {{"mass_kg", 142}, {"stiffness_n_per_m", 1.1e8}}}},
+         .probability = 0.0071,
+         .nats_behind = 17.9,
+         .why_not = "the strength differs between the recordings by 3.1 standard deviations",
+         .would_separate = "the same run with the car empty, 9 minutes"}};
 }
 
 }  // namespace
@@ -171,11 +175,16 @@ Diagnosis explained() {
     Diagnosis d = base();
     d.verdict = Verdict::explained;
     d.statement =
-        "The rail pads stiffen with frequency: exponent 0.151 (90 % interval 0.134 to 0.168). On data that no fit has seen, the misfit "
-        "falls from 3.5 dB (believed) over 0.19 dB (retuned) to 0.05 dB; retuning alone would have needed pads 46 % too stiff.";
+        "The rail pads stiffen with frequency: exponent 0.151 (90 % interval 0.134 to 0.168). On data that no fit has "
+        "seen, the misfit "
+        "falls from 3.5 dB (believed) over 0.19 dB (retuned) to 0.05 dB; retuning alone would have needed pads 46 % "
+        "too stiff.";
     d.omitted = {pad_effect()};
-    d.posterior = {{{"pad-frequency-stiffening"}, 0.973}, {{"pad-hysteresis"}, 0.0173}, {{"pad-preload-stiffening", "support-compliance"}, 0.0071},
-                   {{"unknown"}, 0.0026}, {{}, 0.0}};
+    d.posterior = {{{"pad-frequency-stiffening"}, 0.973},
+                   {{"pad-hysteresis"}, 0.0173},
+                   {{"pad-preload-stiffening", "support-compliance"}, 0.0071},
+                   {{"unknown"}, 0.0026},
+                   {{}, 0.0}};
     d.rivals = rival_list();
     d.places = {{Element::pad, 0.951, 433.1}, {Element::support, 0.0312, 429.7}, {Element::rail, 0.0117, 428.7}};
     d.mismatch = {{"run_80", "axlebox_1", "", 58.0, 92.0, 3.12, 1e-6, Element::pad},
@@ -191,13 +200,15 @@ Diagnosis explained() {
 Diagnosis ambiguous() {
     Diagnosis d = base();
     d.verdict = Verdict::ambiguous;
-    d.statement = "Something is missing at the rail pads. Two descriptions explain it equally well; one more speed would tell.";
+    d.statement =
+        "Something is missing at the rail pads. Two descriptions explain it equally well; one more speed would tell.";
     d.rivals = rival_list();
     d.rivals[0].probability = 0.52;
     d.rivals[0].nats_behind = 0.0;
     d.rivals[1].probability = 0.44;
     d.rivals[1].nats_behind = 0.17;
-    d.posterior = {{{"pad-hysteresis"}, 0.52}, {{"pad-preload-stiffening", "support-compliance"}, 0.44}, {{"unknown"}, 0.04}};
+    d.posterior = {
+        {{"pad-hysteresis"}, 0.52}, {{"pad-preload-stiffening", "support-compliance"}, 0.44}, {{"unknown"}, 0.04}};
     d.places = {{Element::pad, 0.61, 211.0}, {Element::support, 0.33, 210.4}};
     d.mismatch = explained().mismatch;
     return d;
@@ -223,7 +234,8 @@ Diagnosis unexplained() {
     Diagnosis d = base();
     d.verdict = Verdict::unexplained;
     d.interrupted = true;
-    d.statement = "A free correction at the support explains 188 nats, and no effect of the catalogue does as well there.";
+    d.statement =
+        "A free correction at the support explains 188 nats, and no effect of the catalogue does as well there.";
     d.posterior = {{{"unknown"}, 0.91}, {{"support-compliance"}, 0.06}, {{}, 0.0}};
     d.places = {{Element::support, 0.78, 188.0}, {Element::pad, 0.14, 186.3}};
     d.mismatch = explained().mismatch;
@@ -236,20 +248,23 @@ Diagnosis recording_fault() {
     Diagnosis d = base();
     d.verdict = Verdict::recording_fault;
     d.statement = "bogie_2 reads 8 % too low in both recordings, and wheel 2 is named as a test of whole numbers.";
-    d.omitted = {{.instance = {.effect = "sensor-gain", .values = {{"gain", 0.921}}, .choices = {{"channel", "bogie_2"}}},
-                  .element = Element::sensor,
-                  .probability = 0.99996,
-                  .says = "a channel reads too high or too low, or is inverted",
-                  .source = "every handbook of measurement",
-                  .parameters = {{"gain", 0.921, 0.919, 0.923, "1"}},
-                  .nats_fitted = 3410.0,
-                  .nats_held_out = 911.0},
-                 {.instance = {.effect = "wheel-out-of-roundness", .values = {{"amplitude_m", 2e-5}}, .choices = {{"wheel", "2"}, {"order", "3"}}},
-                  .element = Element::wheel,
-                  .probability = 0.98,
-                  .says = "a wheel is not round",
-                  .source = "Nielsen & Johansson 2000",
-                  .parameters = {{"amplitude_m", 2e-5, 1.8e-5, std::numeric_limits<double>::infinity(), "m"}}}};
+    d.omitted = {
+        {.instance = {.effect = "sensor-gain", .values = {{"gain", 0.921}}, .choices = {{"channel", "bogie_2"}}},
+         .element = Element::sensor,
+         .probability = 0.99996,
+         .says = "a channel reads too high or too low, or is inverted",
+         .source = "every handbook of measurement",
+         .parameters = {{"gain", 0.921, 0.919, 0.923, "1"}},
+         .nats_fitted = 3410.0,
+         .nats_held_out = 911.0},
+        {.instance = {.effect = "wheel-out-of-roundness",
+                      .values = {{"amplitude_m", 2e-5}},
+                      .choices = {{"wheel", "2"}, {"order", "3"}}},
+         .element = Element::wheel,
+         .probability = 0.98,
+         .says = "a wheel is not round",
+         .source = "Nielsen & Johansson 2000",
+         .parameters = {{"amplitude_m", 2e-5, 1.8e-5, std::numeric_limits<double>::infinity(), "m"}}}};
     d.posterior = {{{"sensor-gain", "wheel-out-of-roundness"}, 0.98}, {{"sensor-gain"}, 0.02}};
     d.places = {{Element::sensor, 0.9999, 3410.0}};
     d.mismatch = {{"", "bogie_2", "", 0.5, 200.0, -0.71, 0.0, Element::sensor}};

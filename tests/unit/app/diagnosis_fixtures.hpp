@@ -1,5 +1,6 @@
 #pragma once
-// Diagnoses with something in every field, one for each verdict. The numbers are invented, of the size that real ones have.
+// Diagnoses with something in every field, one for each verdict. The numbers are invented, of the size that real ones
+// have.
 
 #include "diagnosis/diagnosis.hpp"
 

@@ -19,7 +19,8 @@ Json written(const Diagnosis& diagnosis) {
 }
 
 std::vector<Diagnosis> all() {
-    return {testing::explained(), testing::ambiguous(), testing::consistent(), testing::unexplained(), testing::recording_fault()};
+    return {testing::explained(), testing::ambiguous(), testing::consistent(), testing::unexplained(),
+            testing::recording_fault()};
 }
 
 /// Kinds of the contract's values: "s" text, "n" number or null, "a" array, "o" object, "p" probability.
@@ -51,22 +52,41 @@ TEST(DiagnosisJson, HasEveryKeyOfTheContractInEveryVerdict) {
     for (const Diagnosis& diagnosis : all()) {
         const Json json = written(diagnosis);
         expect_kinds(json,
-                     {{"verdict", 's'}, {"statement", 's'}, {"omitted", 'a'}, {"posterior", 'a'}, {"rivals", 'a'}, {"places", 'a'},
-                      {"mismatch", 'a'}, {"fit", 'o'}, {"hidden_by_retuning", 'n'}},
+                     {{"verdict", 's'},
+                      {"statement", 's'},
+                      {"omitted", 'a'},
+                      {"posterior", 'a'},
+                      {"rivals", 'a'},
+                      {"places", 'a'},
+                      {"mismatch", 'a'},
+                      {"fit", 'o'},
+                      {"hidden_by_retuning", 'n'}},
                      "");
         for (const Json& effect : json["omitted"]) {
-            expect_kinds(effect, {{"effect", 's'}, {"probability", 'p'}, {"says", 's'}, {"parameters", 'o'}, {"source", 's'}}, "omitted");
+            expect_kinds(effect,
+                         {{"effect", 's'}, {"probability", 'p'}, {"says", 's'}, {"parameters", 'o'}, {"source", 's'}},
+                         "omitted");
             for (const Json& parameter : effect["parameters"]) {
                 ASSERT_TRUE(parameter.contains("value"));
-                if (parameter.size() > 1) expect_kinds(parameter, {{"value", 'n'}, {"low", 'n'}, {"high", 'n'}, {"unit", 's'}}, "parameters");
+                if (parameter.size() > 1)
+                    expect_kinds(parameter, {{"value", 'n'}, {"low", 'n'}, {"high", 'n'}, {"unit", 's'}}, "parameters");
             }
         }
-        for (const Json& set : json["posterior"]) expect_kinds(set, {{"effects", 'a'}, {"probability", 'p'}}, "posterior");
+        for (const Json& set : json["posterior"])
+            expect_kinds(set, {{"effects", 'a'}, {"probability", 'p'}}, "posterior");
         for (const Json& rival : json["rivals"])
-            expect_kinds(rival, {{"effects", 'a'}, {"probability", 'p'}, {"why_not", 's'}, {"would_separate", 's'}}, "rivals");
-        for (const Json& place : json["places"]) expect_kinds(place, {{"element", 's'}, {"probability", 'p'}}, "places");
+            expect_kinds(rival, {{"effects", 'a'}, {"probability", 'p'}, {"why_not", 's'}, {"would_separate", 's'}},
+                         "rivals");
+        for (const Json& place : json["places"])
+            expect_kinds(place, {{"element", 's'}, {"probability", 'p'}}, "places");
         for (const Json& m : json["mismatch"])
-            expect_kinds(m, {{"channel", 's'}, {"low_hz", 'n'}, {"high_hz", 'n'}, {"level_db", 'n'}, {"false_alarm_probability", 'p'}, {"element", 's'}},
+            expect_kinds(m,
+                         {{"channel", 's'},
+                          {"low_hz", 'n'},
+                          {"high_hz", 'n'},
+                          {"level_db", 'n'},
+                          {"false_alarm_probability", 'p'},
+                          {"element", 's'}},
                          "mismatch");
         for (const char* fit : {"before", "retuned", "after", "held_out_before", "held_out_retuned", "held_out_after"})
             expect_kinds(json["fit"][fit], {{"rms_db", 'n'}, {"log_likelihood_per_second", 'n'}}, fit);
@@ -78,14 +98,15 @@ TEST(DiagnosisJson, StartsWithTheKeysOfTheContractInItsOrder) {
     std::vector<std::string> keys;
     for (const auto& [key, value] : json.items()) keys.push_back(key);
     keys.resize(9);
-    EXPECT_EQ(keys, (std::vector<std::string>{"verdict", "statement", "omitted", "posterior", "rivals", "places", "mismatch", "fit",
-                                              "hidden_by_retuning"}));
+    EXPECT_EQ(keys, (std::vector<std::string>{"verdict", "statement", "omitted", "posterior", "rivals", "places",
+                                              "mismatch", "fit", "hidden_by_retuning"}));
 }
 
 TEST(DiagnosisJson, VerdictsHaveTheirNames) {
     std::vector<std::string> names;
     for (const Diagnosis& diagnosis : all()) names.push_back(written(diagnosis)["verdict"]);
-    EXPECT_EQ(names, (std::vector<std::string>{"explained", "ambiguous", "consistent", "unexplained", "recording-fault"}));
+    EXPECT_EQ(names,
+              (std::vector<std::string>{"explained", "ambiguous", "consistent", "unexplained", "recording-fault"}));
 }
 
 TEST(DiagnosisJson, NothingIsOmittedWhereNothingIsNamed) {
@@ -108,9 +129,11 @@ TEST(DiagnosisJson, AnEntryPerInstanceWithItsChoices) {
 TEST(DiagnosisJson, NumbersAreReadBackBitByBit) {
     const Diagnosis diagnosis = testing::explained();
     const Json json = written(diagnosis);
-    EXPECT_EQ(json["omitted"][0]["parameters"]["exponent"]["value"].get<double>(), diagnosis.omitted[0].parameters[0].value);
+    EXPECT_EQ(json["omitted"][0]["parameters"]["exponent"]["value"].get<double>(),
+              diagnosis.omitted[0].parameters[0].value);
     EXPECT_EQ(json["curves"][0]["value"]["real"][7].get<double>(), diagnosis.curves[0].value[7].real());
-    EXPECT_EQ(json["retuned_numbers"][1]["tolerances_away"].get<double>(), diagnosis.retuned_numbers[1].tolerances_away);
+    EXPECT_EQ(json["retuned_numbers"][1]["tolerances_away"].get<double>(),
+              diagnosis.retuned_numbers[1].tolerances_away);
     EXPECT_EQ(json["mismatch"][2]["false_alarm_probability"].get<double>(), 3e-20);
 }
 

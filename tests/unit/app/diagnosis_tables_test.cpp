@@ -29,8 +29,8 @@ std::vector<std::string> lines(const std::string& text) {
 TEST(DiagnosisTables, FilesOfEveryRecording) {
     std::vector<std::string> names;
     for (const TextFile& file : diagnosis_tables(testing::explained())) names.push_back(file.name);
-    EXPECT_EQ(names, (std::vector<std::string>{"run_60.spectra.csv", "run_60.bands.csv", "run_80.spectra.csv", "run_80.bands.csv",
-                                               "parameters.csv", "curves.csv"}));
+    EXPECT_EQ(names, (std::vector<std::string>{"run_60.spectra.csv", "run_60.bands.csv", "run_80.spectra.csv",
+                                               "run_80.bands.csv", "parameters.csv", "curves.csv"}));
 }
 
 TEST(DiagnosisTables, SpectraHaveTheirUnitsAndEveryBin) {
@@ -44,7 +44,8 @@ TEST(DiagnosisTables, SpectraHaveTheirUnitsAndEveryBin) {
 }
 
 TEST(DiagnosisTables, TextsAreQuotedWhereTheyMustBe) {
-    EXPECT_NE(text_of(testing::explained(), "run_60.bands.csv").find("\n1,\"bogie_<b>&\"\"2\"\"\","), std::string::npos);
+    EXPECT_NE(text_of(testing::explained(), "run_60.bands.csv").find("\n1,\"bogie_<b>&\"\"2\"\"\","),
+              std::string::npos);
 }
 
 TEST(DiagnosisTables, WhatDoesNotExistIsAnEmptyCell) {
