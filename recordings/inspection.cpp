@@ -146,6 +146,21 @@ void sort_faults(std::vector<Fault>& faults) {
     });
 }
 
+/// Of a profile its figures are kept and its spectrum, not its samples.
+void take_irregularity(const MeasuredIrregularity& brought, InspectionReport& report) {
+    report.irregularity = brought;
+    report.irregularity.position_m.clear();
+    report.irregularity.height_m.clear();
+    if (!brought.is_profile()) return;
+    const auto count = static_cast<double>(brought.height_m.size());
+    double mean = 0.0, square = 0.0;
+    for (const double height : brought.height_m) mean += height / count;
+    for (const double height : brought.height_m) square += (height - mean) * (height - mean) / count;
+    report.profile_length_m = brought.position_m.back() - brought.position_m.front();
+    report.profile_step_m = report.profile_length_m / (count - 1.0);
+    report.profile_rms_m = std::sqrt(square);
+}
+
 InspectionReport header(const Recording& recording) {
     InspectionReport report;
     report.title = recording.description.title;
@@ -158,6 +173,7 @@ InspectionReport header(const Recording& recording) {
     report.spectra = recording.spectra;
     report.receptance = recording.receptance;
     report.decay_rate = recording.decay_rate;
+    take_irregularity(recording.irregularity, report);
     return report;
 }
 

@@ -132,6 +132,19 @@ nlohmann::json chart_data(const InspectionReport& report) {
                                     {"group", "rail"},
                                     {"points", points_of(report.decay_rate.centre_hz,
                                                          report.decay_rate.decay_rate_db_per_m)}}})}});
+    if (report.irregularity.brought())
+        data["charts"].push_back(
+            {{"id", "irregularity"},
+             {"x", "cycles per metre"},
+             {"xUnit", "cycles/m"},
+             {"y", "PSD of the irregularity, m³"},
+             {"yType", "logarithmic"},
+             {"sets", Json::array({{{"name", "measured irregularity"},
+                                    {"group", "rail"},
+                                    {"points", report.profile_length_m > 0.0
+                                                   ? curve(report.irregularity.cycles_per_m, report.irregularity.psd_m3)
+                                                   : points_of(report.irregularity.cycles_per_m,
+                                                               report.irregularity.psd_m3)}}})}});
     return data;
 }
 

@@ -119,10 +119,11 @@ std::string chart_places(const nlohmann::json& data) {
     std::string out;
     for (const auto& chart : data["charts"]) {
         const std::string id = chart["id"];
-        const std::string heading = id == "coherence"    ? "Coherence"
-                                    : id == "receptance" ? "Receptance"
-                                    : id == "decay"      ? "Track decay rate"
-                                                         : "Spectra";
+        const std::string heading = id == "coherence"      ? "Coherence"
+                                    : id == "receptance"   ? "Receptance"
+                                    : id == "decay"        ? "Track decay rate"
+                                    : id == "irregularity" ? "Measured irregularity"
+                                                           : "Spectra";
         out += fmt::format(
             "<h2>{0}</h2><div class=\"chart{1}\"><canvas id=\"{2}\" role=\"img\" aria-label=\"{0}\"></canvas></div>\n",
             heading, id == "coherence" ? " low" : "", id);
@@ -146,6 +147,7 @@ std::string to_html(const InspectionReport& report) {
     out += "<h1>" + escaped(title) + "</h1><p class=\"soft\">" + escaped(report.file) + "</p>\n";
     out += "<p class=\"verdict " + severity + "\">" + verdict_of(report) + "</p>\n" + facts(report) +
            fault_table(report) + channel_table(report);
+    if (const std::string words = irregularity_words(report); !words.empty()) out += "<p>" + escaped(words) + "</p>\n";
     out += chart_places(data);
     if (!report.spectrograms.empty()) out += "<h2>Spectrograms</h2>\n";
     for (const Spectrogram& spectrogram : report.spectrograms) {

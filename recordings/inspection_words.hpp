@@ -12,4 +12,7 @@ std::string fault_place(const Fault& fault);                 ///< channels and t
 std::string speed_words(const InspectionReport& report);     ///< "" when nothing is known
 std::string averages_words(const InspectionReport& report);  ///< "" when there is no spectrum
 
+/// What irregularity was brought, over which wavelengths and, at the recording's speed, frequencies; "" when none was.
+std::string irregularity_words(const InspectionReport& report);
+
 }  // namespace railpem::recordings

@@ -53,7 +53,7 @@
     };
   }
 
-  function draw(id, sets, scales, limits, withMarks) {
+  function draw(id, sets, scales, limits, withMarks, xUnit) {
     const canvas = document.getElementById(id);
     if (!canvas) return;
     const counts = {};
@@ -69,13 +69,13 @@
     charts.push(new Chart(canvas, {
       type: 'line', data: { datasets }, plugins: withMarks ? [marks] : [],
       options: { animation: false, parsing: false, normalized: true, maintainAspectRatio: false, scales, interaction: { mode: 'nearest', axis: 'x', intersect: false },
-        plugins: { legend: { labels: { color: colour('ink'), boxWidth: 26, boxHeight: 0 } }, tooltip: { callbacks: { title: (items) => items.length ? items[0].parsed.x.toPrecision(4) + ' Hz' : '' } } } }
+        plugins: { legend: { labels: { color: colour('ink'), boxWidth: 26, boxHeight: 0 } }, tooltip: { callbacks: { title: (items) => items.length ? items[0].parsed.x.toPrecision(4) + ' ' + (xUnit || 'Hz') : '' } } } }
     }));
   }
 
   function drawAll() {
     charts.splice(0).forEach((chart) => chart.destroy());
-    for (const chart of data.charts) draw(chart.id, chart.sets, axes(chart.x, chart.y, chart.yType, chart.xType), chart.limits || {}, chart.marks);
+    for (const chart of data.charts) draw(chart.id, chart.sets, axes(chart.x, chart.y, chart.yType, chart.xType), chart.limits || {}, chart.marks, chart.xUnit);
   }
   drawAll();
   window.matchMedia('(prefers-color-scheme: dark)').addEventListener('change', drawAll);
