@@ -50,10 +50,14 @@ std::string list(const std::string& heading, const std::vector<std::string>& ite
 }
 
 std::string facts(const InspectionReport& report) {
-    if (report.kind != RecordingKind::timeseries) return "";
     const auto fact = [](const std::string& name, const std::string& value) {
         return "<li>" + name + "<b>" + escaped(value) + "</b></li>";
     };
+    if (report.kind != RecordingKind::timeseries) {
+        std::string tables = "<ul class=\"facts\">";
+        for (const TableFact& table : table_facts(report)) tables += fact(escaped(table.name), table.holds);
+        return tables + "</ul>\n";
+    }
     std::string out = "<ul class=\"facts\">" +
                       fact("Channels", fmt::format("{} at {:g} Hz", report.channels.size(), report.sampling_rate_hz)) +
                       fact("Length", fmt::format("{:.4g} s, {} samples", report.duration_s, report.samples));
@@ -79,7 +83,7 @@ std::string fault_table(const InspectionReport& report) {
     if (report.faults.empty()) return out + "<p>None was found.</p>\n";
     out +=
         "<div class=\"scroll\"><table><thead><tr><th>How bad</th><th>What</th><th>Where</th><th>Finding</th><th "
-        "class=\"number\">False alarm</th></tr></thead><tbody>\n";
+        "class=\"number\" title=\"probability that a sound record shows as much\">By chance</th></tr></thead><tbody>\n";
     for (const Fault& fault : report.faults)
         out += fmt::format(
             "<tr><td class=\"severity {0}\">{0}</td><td>{1}</td><td>{2}</td><td>{3}</td><td "
@@ -96,7 +100,8 @@ std::string channel_table(const InspectionReport& report) {
     std::string out =
         "<h2>Channels</h2><div class=\"scroll\"><table><thead><tr><th>Name</th><th>At</th><th>Unit</th><th "
         "class=\"number\">rms</th><th class=\"number\">Peak</th><th class=\"number\">Mean</th><th "
-        "class=\"number\">Noise below</th><th class=\"number\">Kurtosis</th><th>Lines</th></tr></thead><tbody>\n";
+        "class=\"number\">Noise at most</th><th class=\"number\" title=\"3 for a random channel\">Kurtosis"
+        "</th><th>Lines</th></tr></thead><tbody>\n";
     for (const ChannelInspection& c : report.channels) {
         std::string lines;
         for (std::size_t i = 0; i < c.lines.size() && i < 5; ++i)
@@ -159,7 +164,8 @@ std::string to_html(const InspectionReport& report) {
            list("Notes", report.notes);
     const std::string words = averages_words(report);
     out += "<footer><p>" + escaped(words) +
-           " Dashed lines mark frequencies that have a name at this speed. Charts: Chart.js (MIT "
+           (report.named_frequencies.empty() ? "" : " Dashed lines mark frequencies that have a name at this speed.") +
+           " Charts: Chart.js (MIT "
            "licence).</p></footer>\n</main>\n";
     out += "<script>" + std::string(chart_script()) + "</script>\n<script type=\"application/json\" id=\"report\">" +
            script_json(data) + "</script>\n<script>\n" + std::string(page_script()) + "</script>\n</body></html>\n";

@@ -75,4 +75,26 @@ std::string irregularity_words(const InspectionReport& report) {
             : "; no speed is known, so no frequencies");
 }
 
+std::vector<TableFact> table_facts(const InspectionReport& report) {
+    std::vector<TableFact> facts;
+    for (const ChannelSpectrum& s : report.spectra)
+        if (!s.frequency_hz.empty())
+            facts.push_back(
+                {s.description.name,
+                 fmt::format("{} values, {:g} to {:g} Hz{}", s.psd.size(), s.frequency_hz.front(),
+                             s.frequency_hz.back(), s.standard_error.empty() ? "" : ", with standard errors")});
+    const auto& frequency = report.receptance.frequency_hz;
+    if (!frequency.empty())
+        facts.push_back({"receptance",
+                         fmt::format("{} values, {:g} to {:g} Hz, {}", frequency.size(), frequency.front(),
+                                     frequency.back(), report.receptance.has_phase ? "with phase" : "magnitude only")});
+    if (!report.decay_rate.centre_hz.empty())
+        facts.push_back(
+            {"decay rate",
+             fmt::format("{} bands, {:g} to {:g} Hz{}", report.decay_rate.centre_hz.size(),
+                         report.decay_rate.centre_hz.front(), report.decay_rate.centre_hz.back(),
+                         report.decay_rate.standard_error_db_per_m.empty() ? "" : ", with standard errors")});
+    return facts;
+}
+
 }  // namespace railpem::recordings

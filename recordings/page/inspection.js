@@ -22,12 +22,16 @@
         ctx.moveTo(x, chartArea.top);
         ctx.lineTo(x, chartArea.bottom);
         ctx.stroke();
-        if (x - lastX < 13) continue;
+        if (x - lastX < 16) continue;
         lastX = x;
         ctx.fillStyle = colour('mark');
         ctx.save();
         ctx.translate(x + 10, chartArea.top + 4);
         ctx.rotate(Math.PI / 2);
+        ctx.strokeStyle = colour('panel'); // a halo, so that the curve behind does not cross the letters
+        ctx.setLineDash([]);
+        ctx.lineWidth = 4;
+        ctx.strokeText(mark.name, 0, 6);
         ctx.fillText(mark.name, 0, 6);
         ctx.restore();
       }
@@ -35,18 +39,26 @@
     }
   };
 
-  // 1e-7 rather than 0.0000001, and only whole decades on logarithmic axes.
-  function tick(value, axis) {
-    if (axis.type === 'logarithmic') {
-      const decade = Math.round(Math.log10(value) * 1000) / 1000;
-      const leading = Math.round(value / Math.pow(10, Math.floor(decade + 1e-9)));
-      if (axis.axis === 'y' ? !Number.isInteger(decade) : ![1, 2, 5].includes(leading)) return '';
-    }
+  // Ticks of a logarithmic axis: 1, 2, 5 of every decade, or whole decades where there are more than three.
+  function buildTicks(axis) {
+    if (axis.type !== 'logarithmic') return;
+    const low = Math.floor(Math.log10(axis.min)), high = Math.ceil(Math.log10(axis.max));
+    const steps = axis.axis === 'y' && Math.log10(axis.max / axis.min) > 3 ? [1] : [1, 2, 5];
+    axis.ticks = [];
+    for (let decade = low; decade <= high; ++decade)
+      for (const step of steps) {
+        const value = Number((step * Math.pow(10, decade)).toPrecision(1));
+        if (value >= axis.min && value <= axis.max) axis.ticks.push({ value });
+      }
+  }
+
+  // 1e-7 rather than 0.0000001.
+  function tick(value) {
     return value !== 0 && (Math.abs(value) < 1e-3 || Math.abs(value) >= 1e5) ? value.toExponential(0) : String(Math.round(value * 1e6) / 1e6);
   }
 
   function axes(xTitle, yTitle, yType, xType) {
-    const base = (title) => ({ title: { display: true, text: title, color: colour('ink') }, ticks: { color: colour('soft'), maxRotation: 0, autoSkip: true, callback(value) { return tick(value, this); } }, grid: { color: colour('rule') } });
+    const base = (title) => ({ title: { display: true, text: title, color: colour('ink') }, ticks: { color: colour('soft'), maxRotation: 0, autoSkip: true, callback: tick }, grid: { color: colour('rule') }, afterBuildTicks: buildTicks });
     return {
       x: Object.assign(base(xTitle), { type: xType || 'logarithmic' }),
       y: Object.assign(base(yTitle), { type: yType })
@@ -60,7 +72,7 @@
     const datasets = sets.map((set) => {
       const n = counts[set.group] = (counts[set.group] ?? -1) + 1;
       return { label: set.name, data: set.points, borderColor: colour(set.group), backgroundColor: colour(set.group), borderDash: set.dash || dashes[n % dashes.length],
-        borderWidth: 1.4, pointRadius: set.dots ? 3 : 0, showLine: !set.dots, spanGaps: false };
+        borderWidth: 1.4, pointRadius: set.dots || set.markers ? 3 : 0, showLine: !set.dots, spanGaps: false };
     });
     const lowest = Math.min(...sets.flatMap((set) => set.points.map((point) => point.x)));
     const highest = Math.max(...sets.flatMap((set) => set.points.map((point) => point.x)));
