@@ -1,19 +1,15 @@
 #include "recordings/inspection.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "parameters/parameter_error.hpp"
 #include "recordings/checks/checks.hpp"
-#include "recordings/confidence.hpp"
-#include "recordings/line_names.hpp"
-#include "recordings/load_recording.hpp"
-#include "recordings/named_frequencies.hpp"
-#include "recordings/noise_floor.hpp"
+#include "recordings/inspected_section.hpp"
 #include "recordings/spectrogram.hpp"
 #include "recordings/units.hpp"
 
@@ -51,10 +47,6 @@ checks::Evidence gather(const Recording& recording, const InspectionContext& con
     return evidence;
 }
 
-double speed_for_names(const InspectionReport& report) {
-    return report.speed_m_per_s > 0.0 ? report.speed_m_per_s : report.stated_speed_m_per_s;
-}
-
 void add_channel(const checks::Evidence& evidence, std::size_t i, InspectionReport& report) {
     const Channel& channel = evidence.series().channels[i];
     ChannelInspection inspection;
@@ -74,47 +66,8 @@ void add_channel(const checks::Evidence& evidence, std::size_t i, InspectionRepo
     inspection.rms = std::sqrt(second / std::max(1.0, count));
     inspection.kurtosis = second > 0.0 ? fourth * count / (second * second) : 0.0;
     inspection.noise_rms = std::numeric_limits<double>::quiet_NaN();
-    if (evidence.spectra) {
-        const CrossSpectra& spectra = *evidence.spectra;
-        for (std::size_t k = 0; k < spectra.bins(); ++k) inspection.psd.push_back(spectra.psd(k, i));
-        inspection.bands = band_levels(spectra, i);
-        if (spectra.size() > 1 && spectra.averages >= 2.0 * static_cast<double>(spectra.size())) {
-            inspection.incoherent = incoherent_part(spectra, i);
-            double power = 0.0;
-            for (std::size_t k = 0; k < spectra.bins(); ++k)
-                if (spectra.frequency_hz[k] > 4.0 && spectra.frequency_hz[k] < 0.4 * spectra.sampling_rate_hz &&
-                    std::isfinite(inspection.incoherent[k]))
-                    power += inspection.incoherent[k] * spectra.kernel().bin_hz();
-            if (power > 0.0) inspection.noise_rms = std::sqrt(power);
-        }
-    }
     inspection.lines = evidence.lines[i];
-    const double speed = speed_for_names(report);
-    const double speed_error = report.speed_m_per_s > 0.0 ? report.speed_error_m_per_s
-                                                          : std::max(0.01 * speed, report.stated_speed_error_m_per_s);
-    for (const SpectralLine& line : inspection.lines) {
-        std::string name = name_of_line(line.frequency_hz, speed, speed_error, evidence.context);
-        if (name.empty() && report.wheel_orders) name = name_by_rotation(line.frequency_hz, *report.wheel_orders);
-        inspection.line_names.push_back(std::move(name));
-    }
     report.channels.push_back(std::move(inspection));
-}
-
-void add_spectra(const checks::Evidence& evidence, InspectionReport& report) {
-    if (!evidence.spectra) return;
-    const CrossSpectra& spectra = *evidence.spectra;
-    report.frequency_hz = spectra.frequency_hz;
-    report.averages = spectra.averages;
-    report.coherence_limit = coherence_limit(spectra.averages, 0.05);
-    const Interval interval = spectrum_interval(spectra.averages);
-    report.interval_low_db = 10.0 * std::log10(interval.low);
-    report.interval_high_db = 10.0 * std::log10(interval.high);
-    for (std::size_t i = 0; i < spectra.size(); ++i)
-        for (std::size_t j = i + 1; j < spectra.size(); ++j) {
-            PairCoherence pair{spectra.channels[i].name, spectra.channels[j].name, {}};
-            for (std::size_t k = 0; k < spectra.bins(); ++k) pair.coherence.push_back(spectra.coherence(k, i, j));
-            report.coherences.push_back(std::move(pair));
-        }
 }
 
 /// What was not looked at, so that silence is not taken for soundness.
@@ -133,17 +86,37 @@ void add_not_checked(const checks::Evidence& evidence, InspectionReport& report)
             "speed, timing, order and polarity by delays: no two axle boxes or bogies show the same track");
     if (!evidence.spectra)
         report.not_checked.emplace_back("everything that needs a spectrum: there is no complete window of 2 s");
-    bool body_alone = false;
+    std::vector<std::string> body;
     for (const Channel& channel : series.channels)
-        body_alone = body_alone || channel.description.location == Location::body;
-    if (body_alone && series.channels.size() < 3)
-        report.not_checked.emplace_back("polarity and timing of the body channels: they need both ends and the centre");
+        if (channel.description.location == Location::body) body.push_back(channel.description.name);
+    if (!body.empty() && body.size() < 3)
+        report.not_checked.push_back(
+            fmt::format("polarity and timing of {}: a rigid body tells them from its two ends and its centre together; "
+                        "fewer channels look alike either way up, only a model with the wheels or bogies can decide",
+                        fmt::join(body, ", ")));
 }
 
-void sort_faults(std::vector<Fault>& faults) {
-    std::stable_sort(faults.begin(), faults.end(), [](const Fault& a, const Fault& b) {
-        return static_cast<int>(a.severity) > static_cast<int>(b.severity);
-    });
+void run_checks(const checks::Evidence& evidence, std::vector<Fault>& faults) {
+    for (const auto check :
+         {checks::check_samples, checks::check_soft_clipping, checks::check_offset, checks::check_unit,
+          checks::check_channels, checks::check_polarity, checks::check_timing, checks::check_mains,
+          checks::check_aliasing, checks::check_sampling, checks::check_stationarity, checks::check_impacts})
+        check(evidence, faults);
+}
+
+/// Of a profile its figures are kept and its spectrum, not its samples.
+void take_irregularity(const MeasuredIrregularity& brought, InspectionReport& report) {
+    report.irregularity = brought;
+    report.irregularity.position_m.clear();
+    report.irregularity.height_m.clear();
+    if (!brought.is_profile()) return;
+    const auto count = static_cast<double>(brought.height_m.size());
+    double mean = 0.0, square = 0.0;
+    for (const double height : brought.height_m) mean += height / count;
+    for (const double height : brought.height_m) square += (height - mean) * (height - mean) / count;
+    report.profile_length_m = brought.position_m.back() - brought.position_m.front();
+    report.profile_step_m = report.profile_length_m / (count - 1.0);
+    report.profile_rms_m = std::sqrt(square);
 }
 
 InspectionReport header(const Recording& recording) {
@@ -158,6 +131,7 @@ InspectionReport header(const Recording& recording) {
     report.spectra = recording.spectra;
     report.receptance = recording.receptance;
     report.decay_rate = recording.decay_rate;
+    take_irregularity(recording.irregularity, report);
     return report;
 }
 
@@ -179,94 +153,38 @@ void take_speed_channel(const TimeSeries& series, InspectionReport& report) {
 
 }  // namespace
 
-InspectionReport inspect(const Recording& recording, const InspectionContext& context) {
-    InspectionReport report = header(recording);
+InspectedSection inspect_section(const Recording& recording, const InspectionContext& context) {
+    InspectedSection section{header(recording), std::nullopt};
+    InspectionReport& report = section.report;
     if (report.kind != RecordingKind::timeseries) {
         report.not_checked.emplace_back("sensors: this kind of data holds no time series");
-        return report;
+        return section;
     }
     const TimeSeries& series = recording.series;
     report.duration_s = series.duration_s();
     report.sampling_rate_hz = series.sampling_rate_hz;
     report.samples = series.size();
     take_speed_channel(series, report);
-    const std::optional<CrossSpectra> spectra = spectra_of(series);
-    const checks::Evidence evidence = gather(recording, context, spectra);
+    section.spectra = spectra_of(series);
+    const checks::Evidence evidence = gather(recording, context, section.spectra);
     if (evidence.speed) {
         report.speed_m_per_s = evidence.speed->speed_m_per_s;
         report.speed_error_m_per_s = evidence.speed->standard_error_m_per_s;
         report.speed_pairs = evidence.speed->pairs_used;
     }
-    report.wheel_orders = wheel_orders_of(evidence.lines, speed_for_names(report));
     for (std::size_t i = 0; i < series.channels.size(); ++i) add_channel(evidence, i, report);
-    add_spectra(evidence, report);
-    checks::check_samples(evidence, report.faults);
-    checks::check_offset(evidence, report.faults);
-    checks::check_unit(evidence, report.faults);
-    checks::check_channels(evidence, report.faults);
-    checks::check_polarity(evidence, report.faults);
-    checks::check_timing(evidence, report.faults);
-    checks::check_mains(evidence, report.faults);
-    checks::check_aliasing(evidence, report.faults);
-    checks::check_sampling(evidence, report.faults);
-    checks::check_stationarity(evidence, report.faults);
-    checks::check_impacts(evidence, report.faults);
+    run_checks(evidence, report.faults);
     sort_faults(report.faults);
-    InspectionContext known = context;
-    if (known.wheel_radius_m <= 0.0 && report.wheel_orders)
-        known.wheel_radius_m = speed_for_names(report) / (2.0 * std::numbers::pi * report.wheel_orders->rotation_hz);
-    report.named_frequencies = named_frequencies(speed_for_names(report), 0.5 * report.sampling_rate_hz, known);
     report.spectrograms = spectrograms_of(series);
     add_not_checked(evidence, report);
-    return report;
+    return section;
 }
 
-InspectionReport inspect_file(const RecordingDescription& description, const std::filesystem::path& base,
-                              const InspectionContext& context, std::size_t samples) {
-    std::vector<InspectionReport> parts;
-    load_in_sections(description, base, samples, [&](const Recording& section) {
-        InspectionReport part = inspect(section, context);
-        const double start = section.series.start_s;
-        for (Fault& fault : part.faults) {
-            const bool everywhere = fault.from_s == 0.0 && fault.to_s == 0.0;
-            fault.from_s += start;
-            fault.to_s += everywhere && start > 0.0 ? start + part.duration_s : start;
-        }
-        // Of the later sections only what is joined is kept: memory stays bounded.
-        if (!parts.empty()) {
-            part.coherences.clear();
-            part.spectrograms.clear();
-        }
-        parts.push_back(std::move(part));
-    });
-    InspectionReport report = std::move(parts.front());
-    double weight = report.duration_s;
-    for (std::size_t p = 1; p < parts.size(); ++p) {
-        InspectionReport& part = parts[p];
-        const double share = part.duration_s / (weight + part.duration_s);
-        weight += part.duration_s;
-        report.samples += part.samples;
-        report.duration_s += part.duration_s;
-        report.averages += part.averages;
-        for (Fault& fault : part.faults)
-            if (fault.kind != FaultKind::too_short && fault.kind != FaultKind::unknown_scale)
-                report.faults.push_back(std::move(fault));
-        for (std::size_t i = 0; i < report.channels.size(); ++i) {
-            ChannelInspection &all = report.channels[i], &one = part.channels[i];
-            all.rms = std::sqrt((1.0 - share) * all.rms * all.rms + share * one.rms * one.rms);
-            all.mean = (1.0 - share) * all.mean + share * one.mean;
-            all.peak = std::max(all.peak, one.peak);
-            for (std::size_t k = 0; k < all.psd.size() && k < one.psd.size(); ++k)
-                all.psd[k] = (1.0 - share) * all.psd[k] + share * one.psd[k];
-        }
-    }
-    if (parts.size() > 1) {
-        report.notes.push_back(fmt::format(
-            "inspected in {} sections of {:.0f} s: bands, lines, coherence and spectrogram are of the first",
-            parts.size(), static_cast<double>(samples) / report.sampling_rate_hz));
-        sort_faults(report.faults);
-    }
-    return report;
+InspectionReport inspect(const Recording& recording, const InspectionContext& context) {
+    InspectedSection section = inspect_section(recording, context);
+    if (section.spectra) describe_spectra(*section.spectra, section.report);
+    name_lines(context, section.report);
+    return std::move(section.report);
 }
 
 std::string verdict_of(const InspectionReport& report) {
@@ -276,11 +194,21 @@ std::string verdict_of(const InspectionReport& report) {
         return std::count_if(report.faults.begin(), report.faults.end(),
                              [&](const Fault& fault) { return fault.severity == severity; });
     };
+    const auto kinds = [&](Severity severity) {
+        std::vector<std::string> names;
+        for (const Fault& fault : report.faults)
+            if (fault.severity == severity &&
+                std::find(names.begin(), names.end(), fault_name(fault.kind)) == names.end())
+                names.push_back(fault_name(fault.kind));
+        return fmt::format("{}", fmt::join(names, ", "));
+    };
     const auto errors = count(Severity::error), warnings = count(Severity::warning);
     if (errors > 0)
-        return fmt::format("Not to be trusted as it is: {} error{}, {} warning{}.", errors, errors > 1 ? "s" : "",
-                           warnings, warnings == 1 ? "" : "s");
-    if (warnings > 0) return fmt::format("Usable with care: {} warning{}.", warnings, warnings > 1 ? "s" : "");
+        return fmt::format("Not to be trusted as it is: {} error{} ({}), {} warning{}.", errors, errors > 1 ? "s" : "",
+                           kinds(Severity::error), warnings, warnings == 1 ? "" : "s");
+    if (warnings > 0)
+        return fmt::format("Usable with care: {} warning{} ({}).", warnings, warnings > 1 ? "s" : "",
+                           kinds(Severity::warning));
     return "No fault was found.";
 }
 

@@ -70,6 +70,8 @@ struct InspectionReport {
     std::vector<ChannelSpectrum> spectra;  ///< kinds psd and points
     MeasuredReceptance receptance;         ///< kind receptance
     MeasuredDecayRate decay_rate;          ///< kind decay-rate
+    MeasuredIrregularity irregularity;     ///< that the recording brings, without the samples of its profile
+    double profile_length_m = 0.0, profile_step_m = 0.0, profile_rms_m = 0.0;  ///< 0: not a profile; rms without mean
 };
 
 /// Looks at a recording with everything that is believed about it. Changes nothing.

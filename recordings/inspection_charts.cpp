@@ -49,12 +49,16 @@ Json spectra_chart(const InspectionReport& report, ChannelQuantity quantity) {
                             {"group", group_of(spectrum.description)},
                             {"points", points_of(spectrum.frequency_hz, spectrum.psd)},
                             {"dots", report.kind == RecordingKind::points}});
-    return {{"id", "spectra_" + quantity_name(quantity)},
-            {"x", "frequency, Hz"},
-            {"y", "PSD of " + quantity_name(quantity) + ", (" + si_unit(quantity) + ")²/Hz"},
-            {"yType", "logarithmic"},
-            {"sets", sets},
-            {"marks", true}};
+    const bool scaled = std::none_of(report.channels.begin(), report.channels.end(), [&](const ChannelInspection& c) {
+        return c.description.quantity == quantity && c.description.scale == Scale::unknown;
+    });
+    return {
+        {"id", "spectra_" + quantity_name(quantity)},
+        {"x", "frequency, Hz"},
+        {"y", "PSD of " + quantity_name(quantity) + (scaled ? ", (" + si_unit(quantity) + ")²/Hz" : ", scale unknown")},
+        {"yType", "logarithmic"},
+        {"sets", sets},
+        {"marks", true}};
 }
 
 /// The six pairs that share most, by mean coherence, and the limit of chance.
@@ -116,8 +120,22 @@ nlohmann::json chart_data(const InspectionReport& report) {
              {"yType", "logarithmic"},
              {"sets", Json::array({{{"name", "decay rate"},
                                     {"group", "rail"},
+                                    {"markers", true},
                                     {"points", points_of(report.decay_rate.centre_hz,
                                                          report.decay_rate.decay_rate_db_per_m)}}})}});
+    if (report.irregularity.brought())
+        data["charts"].push_back(
+            {{"id", "irregularity"},
+             {"x", "cycles per metre"},
+             {"xUnit", "cycles/m"},
+             {"y", "PSD of the irregularity, m³"},
+             {"yType", "logarithmic"},
+             {"sets", Json::array({{{"name", "measured irregularity"},
+                                    {"group", "rail"},
+                                    {"points", report.profile_length_m > 0.0
+                                                   ? curve(report.irregularity.cycles_per_m, report.irregularity.psd_m3)
+                                                   : points_of(report.irregularity.cycles_per_m,
+                                                               report.irregularity.psd_m3)}}})}});
     return data;
 }
 

@@ -21,10 +21,14 @@ std::string list(const std::string& heading, const std::vector<std::string>& ite
 }
 
 std::string facts(const InspectionReport& report) {
-    if (report.kind != RecordingKind::timeseries) return "";
     const auto fact = [](const std::string& name, const std::string& value) {
         return "<li>" + name + "<b>" + escaped(value) + "</b></li>";
     };
+    if (report.kind != RecordingKind::timeseries) {
+        std::string tables = "<ul class=\"facts\">";
+        for (const TableFact& table : table_facts(report)) tables += fact(escaped(table.name), table.holds);
+        return tables + "</ul>\n";
+    }
     std::string out = "<ul class=\"facts\">" +
                       fact("Channels", fmt::format("{} at {:g} Hz", report.channels.size(), report.sampling_rate_hz)) +
                       fact("Length", fmt::format("{:.4g} s, {} samples", report.duration_s, report.samples));
@@ -50,7 +54,7 @@ std::string fault_table(const InspectionReport& report) {
     if (report.faults.empty()) return out + "<p>None was found.</p>\n";
     out +=
         "<div class=\"scroll\"><table><thead><tr><th>How bad</th><th>What</th><th>Where</th><th>Finding</th><th "
-        "class=\"number\">False alarm</th></tr></thead><tbody>\n";
+        "class=\"number\" title=\"probability that a sound record shows as much\">By chance</th></tr></thead><tbody>\n";
     for (const Fault& fault : report.faults)
         out += fmt::format(
             "<tr><td class=\"severity {0}\">{0}</td><td>{1}</td><td>{2}</td><td>{3}</td><td "
@@ -67,7 +71,8 @@ std::string channel_table(const InspectionReport& report) {
     std::string out =
         "<h2>Channels</h2><div class=\"scroll\"><table><thead><tr><th>Name</th><th>At</th><th>Unit</th><th "
         "class=\"number\">rms</th><th class=\"number\">Peak</th><th class=\"number\">Mean</th><th "
-        "class=\"number\">Noise below</th><th class=\"number\">Kurtosis</th><th>Lines</th></tr></thead><tbody>\n";
+        "class=\"number\">Noise at most</th><th class=\"number\" title=\"3 for a random channel\">Kurtosis"
+        "</th><th>Lines</th></tr></thead><tbody>\n";
     for (const ChannelInspection& c : report.channels) {
         std::string lines;
         for (std::size_t i = 0; i < c.lines.size() && i < 5; ++i)
@@ -90,10 +95,11 @@ std::string chart_places(const nlohmann::json& data) {
     std::string out;
     for (const auto& chart : data["charts"]) {
         const std::string id = chart["id"];
-        const std::string heading = id == "coherence"    ? "Coherence"
-                                    : id == "receptance" ? "Receptance"
-                                    : id == "decay"      ? "Track decay rate"
-                                                         : "Spectra";
+        const std::string heading = id == "coherence"      ? "Coherence"
+                                    : id == "receptance"   ? "Receptance"
+                                    : id == "decay"        ? "Track decay rate"
+                                    : id == "irregularity" ? "Measured irregularity"
+                                                           : "Spectra";
         out += fmt::format(
             "<h2>{0}</h2><div class=\"chart{1}\"><canvas id=\"{2}\" role=\"img\" aria-label=\"{0}\"></canvas></div>\n",
             heading, id == "coherence" ? " low" : "", id);
@@ -114,6 +120,7 @@ std::string to_html(const InspectionReport& report) {
     out += "<h1>" + escaped(title) + "</h1><p class=\"soft\">" + escaped(report.file) + "</p>\n";
     out += "<p class=\"verdict " + severity + "\">" + verdict_of(report) + "</p>\n" + facts(report) +
            fault_table(report) + channel_table(report);
+    if (const std::string words = irregularity_words(report); !words.empty()) out += "<p>" + escaped(words) + "</p>\n";
     out += chart_places(data);
     if (!report.spectrograms.empty()) out += "<h2>Spectrograms</h2>\n";
     for (const Spectrogram& spectrogram : report.spectrograms) {
@@ -125,9 +132,10 @@ std::string to_html(const InspectionReport& report) {
            list("Notes", report.notes);
     const std::string words = averages_words(report);
     out += "<footer><p>" + escaped(words) +
-           " Dashed lines mark frequencies that have a name at this speed. Charts: Chart.js (MIT "
-           "licence).</p></footer>\n" +
-           page_end(data, "pageCharts(pageData());\n");
+           (report.named_frequencies.empty() ? "" : " Dashed lines mark frequencies that have a name at this speed.") +
+           " Charts: Chart.js (MIT licence).</p></footer>
+" + page_end(data, "pageCharts(pageData());
+");
     return out;
 }
 

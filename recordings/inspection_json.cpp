@@ -94,6 +94,29 @@ void add_tables(const InspectionReport& report, Json& j) {
                            {"decay_rate_db_per_m", numbers(report.decay_rate.decay_rate_db_per_m)}};
 }
 
+Json irregularity_json(const InspectionReport& report) {
+    const MeasuredIrregularity& brought = report.irregularity;
+    Json j = {{"file", brought.file},
+              {"kind", report.profile_length_m > 0.0 ? "profile" : "spectrum"},
+              {"shortest_wavelength_m", brought.shortest_wavelength_m()},
+              {"longest_wavelength_m", brought.longest_wavelength_m()}};
+    const double speed = report.speed_m_per_s > 0.0 ? report.speed_m_per_s : report.stated_speed_m_per_s;
+    if (speed > 0.0) {
+        j["low_hz"] = speed / brought.longest_wavelength_m();
+        j["high_hz"] = speed / brought.shortest_wavelength_m();
+    }
+    if (report.profile_length_m > 0.0) {
+        j["length_m"] = report.profile_length_m;
+        j["step_m"] = report.profile_step_m;
+        j["rms_m"] = report.profile_rms_m;
+        j["segment_length_m"] = brought.segment_length_m;
+        j["independent_averages"] = brought.averages;
+    }
+    j["cycles_per_m"] = numbers(brought.cycles_per_m);
+    j["psd_m3"] = numbers(brought.psd_m3);
+    return j;
+}
+
 }  // namespace
 
 nlohmann::ordered_json to_json(const InspectionReport& report) {
@@ -138,6 +161,7 @@ nlohmann::ordered_json to_json(const InspectionReport& report) {
         j["coherence"].push_back(
             {{"first", pair.first}, {"second", pair.second}, {"coherence", numbers(pair.coherence)}});
     add_tables(report, j);
+    if (report.irregularity.brought()) j["irregularity"] = irregularity_json(report);
     return j;
 }
 

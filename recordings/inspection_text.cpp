@@ -73,18 +73,7 @@ std::string line_words(const InspectionReport& report) {
 
 std::string table_words(const InspectionReport& report) {
     std::string out;
-    for (const ChannelSpectrum& s : report.spectra)
-        if (!s.frequency_hz.empty())
-            out += fmt::format("{:<16} {:>6} values, {:g} to {:g} Hz{}\n", s.description.name, s.psd.size(),
-                               s.frequency_hz.front(), s.frequency_hz.back(),
-                               s.standard_error.empty() ? "" : ", with standard errors");
-    if (!report.receptance.frequency_hz.empty())
-        out += fmt::format("receptance       {:>6} values, {:g} to {:g} Hz{}\n", report.receptance.frequency_hz.size(),
-                           report.receptance.frequency_hz.front(), report.receptance.frequency_hz.back(),
-                           report.receptance.has_phase ? "" : ", magnitude only");
-    if (!report.decay_rate.centre_hz.empty())
-        out += fmt::format("decay rate       {:>6} bands, {:g} to {:g} Hz\n", report.decay_rate.centre_hz.size(),
-                           report.decay_rate.centre_hz.front(), report.decay_rate.centre_hz.back());
+    for (const TableFact& table : table_facts(report)) out += fmt::format("{:<16} {}\n", table.name, table.holds);
     return out;
 }
 
@@ -97,7 +86,7 @@ std::string to_text(const InspectionReport& report) {
         out += fmt::format("{} channels at {:g} Hz, {:.4g} s ({} samples each)\n", report.channels.size(),
                            report.sampling_rate_hz, report.duration_s, report.samples);
     out += "\n" + verdict_of(report) + "\n\n";
-    for (const std::string& words : {speed_words(report), averages_words(report)})
+    for (const std::string& words : {speed_words(report), averages_words(report), irregularity_words(report)})
         if (!words.empty()) out += wrapped(words, 2);
     out += band_line(report) + line_words(report);
     out += report.channels.empty() ? table_words(report) : "\n" + channel_lines(report);

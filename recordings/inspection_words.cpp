@@ -55,4 +55,46 @@ std::string averages_words(const InspectionReport& report) {
         report.averages, report.interval_low_db, report.interval_high_db, report.coherence_limit);
 }
 
+std::string irregularity_words(const InspectionReport& report) {
+    const MeasuredIrregularity& brought = report.irregularity;
+    if (!brought.brought()) return "";
+    const double low = 1.0 / brought.longest_wavelength_m(), high = 1.0 / brought.shortest_wavelength_m();
+    const double speed = report.speed_m_per_s > 0.0 ? report.speed_m_per_s : report.stated_speed_m_per_s;
+    return fmt::format(
+        "Irregularity: a measured {}. It covers wavelengths from {:.3g} m to {:.3g} m{}; outside them nothing was "
+        "measured.",
+        report.profile_length_m > 0.0
+            ? fmt::format("profile of {:.4g} m in steps of {:.3g} m, {:.3g} mm rms; its spectrum from segments of "
+                          "{:.3g} m, {:.1f} independent averages",
+                          report.profile_length_m, report.profile_step_m, 1e3 * report.profile_rms_m,
+                          brought.segment_length_m, brought.averages)
+            : fmt::format("spectrum of {} values", brought.psd_m3.size()),
+        1.0 / high, 1.0 / low,
+        speed > 0.0
+            ? fmt::format(", at {:.4g} m/s frequencies from {:.3g} Hz to {:.4g} Hz", speed, speed * low, speed * high)
+            : "; no speed is known, so no frequencies");
+}
+
+std::vector<TableFact> table_facts(const InspectionReport& report) {
+    std::vector<TableFact> facts;
+    for (const ChannelSpectrum& s : report.spectra)
+        if (!s.frequency_hz.empty())
+            facts.push_back(
+                {s.description.name,
+                 fmt::format("{} values, {:g} to {:g} Hz{}", s.psd.size(), s.frequency_hz.front(),
+                             s.frequency_hz.back(), s.standard_error.empty() ? "" : ", with standard errors")});
+    const auto& frequency = report.receptance.frequency_hz;
+    if (!frequency.empty())
+        facts.push_back({"receptance",
+                         fmt::format("{} values, {:g} to {:g} Hz, {}", frequency.size(), frequency.front(),
+                                     frequency.back(), report.receptance.has_phase ? "with phase" : "magnitude only")});
+    if (!report.decay_rate.centre_hz.empty())
+        facts.push_back(
+            {"decay rate",
+             fmt::format("{} bands, {:g} to {:g} Hz{}", report.decay_rate.centre_hz.size(),
+                         report.decay_rate.centre_hz.front(), report.decay_rate.centre_hz.back(),
+                         report.decay_rate.standard_error_db_per_m.empty() ? "" : ", with standard errors")});
+    return facts;
+}
+
 }  // namespace railpem::recordings

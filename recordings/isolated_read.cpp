@@ -13,6 +13,8 @@
 #include <chrono>
 #include <csignal>
 #include <cstring>
+#include <filesystem>
+#include <fstream>
 #include <optional>
 
 #include "recordings/read_error.hpp"
@@ -57,13 +59,31 @@ void write_table(int pipe, const DataTable& table) {
     for (const auto& column : table.columns) write_all(pipe, column.data(), column.size() * sizeof(double));
 }
 
-[[noreturn]] void be_the_child(int pipe, const ReadLimits& limits, const std::function<DataTable()>& work) {
+#ifndef RAILPEM_ADDRESS_SANITIZER
+/// What a reader of this file may need: its numbers, when it is compressed as far as deflate goes (1032:1, zlib.net)
+/// and every byte becomes a double, beside what the process has mapped already. A small file that asks for gigabytes is
+/// refused before it gets them.
+std::size_t address_space(const std::string& file, const ReadLimits& limits) {
+    constexpr std::size_t libraries = std::size_t{256} << 20, expansion = 1032 * (sizeof(double) + 2);
+    std::error_code ignored;
+    const std::uintmax_t size = std::filesystem::file_size(file, ignored);
+    const std::size_t most = limits.memory_bytes + (std::size_t{1} << 30);
+    const std::size_t needed = ignored || size > most / expansion ? most : static_cast<std::size_t>(size) * expansion;
+    std::size_t pages = 0;
+    std::ifstream("/proc/self/statm") >> pages;
+    return pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE)) + libraries + needed;
+}
+#endif
+
+[[noreturn]] void be_the_child(int pipe, const std::string& file, const ReadLimits& limits,
+                               const std::function<DataTable()>& work) {
     const rlimit no_core{0, 0};
     setrlimit(RLIMIT_CORE, &no_core);
     const rlimit processor{static_cast<rlim_t>(limits.seconds) + 1, static_cast<rlim_t>(limits.seconds) + 2};
     setrlimit(RLIMIT_CPU, &processor);
 #ifndef RAILPEM_ADDRESS_SANITIZER  // which maps terabytes of shadow memory
-    const rlimit memory{limits.memory_bytes + (std::size_t{1} << 30), limits.memory_bytes + (std::size_t{1} << 30)};
+    const std::size_t most = address_space(file, limits);
+    const rlimit memory{most, most};
     setrlimit(RLIMIT_AS, &memory);
 #endif
     for (const int signal : {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL}) std::signal(signal, SIG_DFL);
@@ -171,7 +191,7 @@ DataTable read_isolated(const std::string& file, const ReadLimits& limits, const
     const pid_t child = fork();
     if (child == 0) {
         close(ends[0]);
-        be_the_child(ends[1], limits, work);
+        be_the_child(ends[1], file, limits, work);
     }
     close(ends[1]);
     Answers answers(ends[0], limits.seconds);

@@ -143,10 +143,14 @@ DataTable read_table(const fs::path& path, const std::vector<std::string>& wante
     return {};
 }
 
-Recording empty_recording(const RecordingDescription& description, const fs::path& path) {
+/// What does not depend on the data file.
+Recording empty_recording(const RecordingDescription& description, const fs::path& base, const fs::path& path,
+                          const ReadLimits& limits) {
     Recording recording;
     recording.description = description;
     recording.file = path.string();
+    if (!description.irregularity.empty())
+        recording.irregularity = read_irregularity((base / description.irregularity).string(), limits);
     return recording;
 }
 
@@ -159,7 +163,7 @@ std::uintmax_t data_file_bytes(const RecordingDescription& description, const fs
 Recording load(const RecordingDescription& description, const fs::path& base, const ReadLimits& limits) {
     check(description);
     const fs::path path = data_path(description, base);
-    Recording recording = empty_recording(description, path);
+    Recording recording = empty_recording(description, base, path, limits);
     switch (description.kind) {
         case RecordingKind::timeseries:
             break;
@@ -202,15 +206,15 @@ void load_in_sections(const RecordingDescription& description, const fs::path& b
         selected.push_back(require_name(name, reader.names(), "column", path.string(), reader.header_line()));
     reader.select(selected);
     std::size_t done = 0;
-    RecordingDescription fixed = description;
+    Recording bare = empty_recording(description, base, path, limits);
     for (;;) {
         table.columns.assign(table.names.size(), {});
         for (auto& column : table.columns) column.reserve(std::min<std::size_t>(samples, std::size_t{1} << 22));
         if (reader.read(samples, table.columns) == 0) break;
-        Recording recording = empty_recording(fixed, path);
-        fill_series(fixed, table, time_column, path.string(), recording);
-        fixed.sampling_rate_hz = recording.series.sampling_rate_hz;  // one rate for all sections
-        recording.series.start_s = static_cast<double>(done) / fixed.sampling_rate_hz;
+        Recording recording = bare;
+        fill_series(bare.description, table, time_column, path.string(), recording);
+        bare.description.sampling_rate_hz = recording.series.sampling_rate_hz;  // one rate for all sections
+        recording.series.start_s = static_cast<double>(done) / recording.series.sampling_rate_hz;
         done += recording.series.size();
         table.notes.clear();
         work(recording);

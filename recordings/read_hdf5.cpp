@@ -8,6 +8,7 @@
 #include "recordings/named_column.hpp"
 #include "recordings/read_binary.hpp"
 #include "recordings/read_error.hpp"
+#include "recordings/read_unprotected.hpp"
 
 namespace railpem::recordings {
 namespace {
@@ -90,7 +91,10 @@ std::vector<double> read_column(const std::string& file, const std::string& name
     return values;
 }
 
-DataTable read_hdf5_here(const std::string& file, const std::vector<std::string>& wanted, const ReadLimits& limits) {
+}  // namespace
+
+DataTable read_hdf5_unprotected(const std::string& file, const std::vector<std::string>& wanted,
+                                const ReadLimits& limits) {
     H5Eset_auto(H5E_DEFAULT, nullptr, nullptr);
     const Handle root(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
     if (!root.valid()) throw ReadError(file, 0, "not an HDF5 file, or a damaged one", "an HDF5 file");
@@ -132,10 +136,8 @@ DataTable read_hdf5_here(const std::string& file, const std::vector<std::string>
     return table;
 }
 
-}  // namespace
-
 DataTable read_hdf5(const std::string& file, const std::vector<std::string>& wanted, const ReadLimits& limits) {
-    return read_isolated(file, limits, [&] { return read_hdf5_here(file, wanted, limits); });
+    return read_isolated(file, limits, [&] { return read_hdf5_unprotected(file, wanted, limits); });
 }
 
 }  // namespace railpem::recordings

@@ -10,6 +10,7 @@
 #include "recordings/named_column.hpp"
 #include "recordings/read_binary.hpp"
 #include "recordings/read_error.hpp"
+#include "recordings/read_unprotected.hpp"
 
 namespace railpem::recordings {
 namespace {
@@ -181,7 +182,10 @@ void append_columns(const matvar_t& variable, const std::string& name, std::size
     }
 }
 
-DataTable read_mat_here(const std::string& file, const std::vector<std::string>& wanted, const ReadLimits& limits) {
+}  // namespace
+
+DataTable read_mat_unprotected(const std::string& file, const std::vector<std::string>& wanted,
+                               const ReadLimits& limits) {
     require_complete(file);
     Mat_LogInit("railpem");
     MatFile mat(file, limits);
@@ -201,10 +205,8 @@ DataTable read_mat_here(const std::string& file, const std::vector<std::string>&
     return table;
 }
 
-}  // namespace
-
 DataTable read_mat(const std::string& file, const std::vector<std::string>& wanted, const ReadLimits& limits) {
-    return read_isolated(file, limits, [&] { return read_mat_here(file, wanted, limits); });
+    return read_isolated(file, limits, [&] { return read_mat_unprotected(file, wanted, limits); });
 }
 
 }  // namespace railpem::recordings

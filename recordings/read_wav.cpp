@@ -6,6 +6,7 @@
 #include "recordings/isolated_read.hpp"
 #include "recordings/read_binary.hpp"
 #include "recordings/read_error.hpp"
+#include "recordings/read_unprotected.hpp"
 
 namespace railpem::recordings {
 namespace {
@@ -19,7 +20,10 @@ bool is_wave(int format) {
     return kind == SF_FORMAT_WAV || kind == SF_FORMAT_WAVEX || kind == SF_FORMAT_RF64 || kind == SF_FORMAT_W64;
 }
 
-DataTable read_wave_here(const std::string& file, const std::vector<std::string>& wanted, const ReadLimits& limits) {
+}  // namespace
+
+DataTable read_wav_unprotected(const std::string& file, const std::vector<std::string>& wanted,
+                               const ReadLimits& limits) {
     SF_INFO info{};
     const std::unique_ptr<SNDFILE, CloseSound> sound(sf_open(file.c_str(), SFM_READ, &info));
     if (!sound)
@@ -59,10 +63,8 @@ DataTable read_wave_here(const std::string& file, const std::vector<std::string>
     return table;
 }
 
-}  // namespace
-
 DataTable read_wav(const std::string& file, const std::vector<std::string>& wanted, const ReadLimits& limits) {
-    return read_isolated(file, limits, [&] { return read_wave_here(file, wanted, limits); });
+    return read_isolated(file, limits, [&] { return read_wav_unprotected(file, wanted, limits); });
 }
 
 }  // namespace railpem::recordings

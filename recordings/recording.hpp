@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "recordings/measured_irregularity.hpp"
 #include "recordings/recording_parameters.hpp"
 
 namespace railpem::recordings {
@@ -50,7 +51,7 @@ struct MeasuredDecayRate {
     std::vector<double> standard_error_db_per_m;  ///< empty when not stated
 };
 
-/// A recording. Only the member of its kind is filled.
+/// A recording. Only the member of its kind is filled, and the irregularity where it is measured.
 struct Recording {
     RecordingDescription description;
     std::string file;  ///< of the data
@@ -58,6 +59,7 @@ struct Recording {
     std::vector<ChannelSpectrum> spectra;
     MeasuredReceptance receptance;
     MeasuredDecayRate decay_rate;
+    MeasuredIrregularity irregularity;  ///< with any kind; nothing brought when the description names no file
     std::vector<std::string> lacks;  ///< what this kind of data cannot tell, in words
     std::vector<std::string> notes;  ///< what the reader saw and did not change: a row of units, another encoding, …
 };

@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <zlib.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 
@@ -19,12 +20,12 @@ struct TextLines::Stream {
 };
 
 namespace {
-constexpr std::size_t chunk_bytes = std::size_t{1} << 18;
+constexpr std::size_t smallest_chunk_bytes = std::size_t{1} << 12, chunk_bytes = std::size_t{1} << 18;
 const char* const text_wanted = "a text file in UTF-8, or one compressed by gzip";
 }  // namespace
 
 TextLines::TextLines(std::string file, const ReadLimits& limits)
-    : file_(std::move(file)), stream_(std::make_unique<Stream>()), buffer_(chunk_bytes), limit_(limits.line_bytes) {
+    : file_(std::move(file)), stream_(std::make_unique<Stream>()), limit_(limits.line_bytes) {
     struct stat status {};
     if (stat(file_.c_str(), &status) != 0)
         throw ReadError(file_, 0, fmt::format("cannot be opened ({})", std::strerror(errno)),
@@ -34,7 +35,9 @@ TextLines::TextLines(std::string file, const ReadLimits& limits)
     if (!stream_->handle)
         throw ReadError(file_, 0, fmt::format("cannot be opened ({})", std::strerror(errno)),
                         "a file that exists and may be read");
-    gzbuffer(stream_->handle, 1U << 17);
+    // A small file needs no large buffers; a compressed one makes its buffer grow.
+    buffer_.resize(std::clamp(static_cast<std::size_t>(status.st_size), smallest_chunk_bytes, chunk_bytes));
+    gzbuffer(stream_->handle, static_cast<unsigned>(buffer_.size() / 2));
     refill();
     if (begin_ == end_) throw ReadError(file_, 0, "the file is empty", text_wanted);
     const auto starts_with = [&](std::string_view mark) {

@@ -84,6 +84,10 @@ std::string si_unit(ChannelQuantity quantity) {
     return units_of(quantity).front().name;
 }
 
+std::string value_unit(const ChannelDescription& channel) {
+    return channel.scale == Scale::unknown ? "(unknown scale)" : si_unit(channel.quantity);
+}
+
 std::string quantity_name(ChannelQuantity quantity) {
     static const char* const names[] = {"acceleration", "velocity", "displacement", "speed", "mileage"};
     return names[static_cast<int>(quantity)];

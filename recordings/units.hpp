@@ -22,6 +22,9 @@ std::vector<std::string> allowed_units(ChannelQuantity quantity);
 /// SI unit of the quantity: m/s^2, m/s or m.
 std::string si_unit(ChannelQuantity quantity);
 
+/// What stands behind a value of the channel: its SI unit, or "(unknown scale)" when its unit cannot be trusted.
+std::string value_unit(const ChannelDescription& channel);
+
 /// Name as in the description: "acceleration", …
 std::string quantity_name(ChannelQuantity quantity);
 

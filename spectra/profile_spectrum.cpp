@@ -77,6 +77,9 @@ double independent_averages(int segments) {
 ProfileSpectrum spectrum_of_profile(std::span<const double> position_m, std::span<const double> height_m,
                                     double segment_length_m) {
     const double step = even_step(position_m, height_m);
+    // Asked of the heights: after the straight line is removed from a constant, rounding remains.
+    const auto [lowest, highest] = std::minmax_element(height_m.begin(), height_m.end());
+    if (*lowest == *highest) refuse("the profile does not vary", "measured heights");
     const double wanted = std::floor(segment_length_m / step * (1.0 + 1e-9));  // a length of whole steps stays whole
     if (!(wanted >= static_cast<double>(fewest_samples) && wanted <= static_cast<double>(height_m.size())))
         refuse("the segments cannot be cut from the profile", "a segment length from 16 steps to the whole profile");
@@ -96,7 +99,6 @@ ProfileSpectrum spectrum_of_profile(std::span<const double> position_m, std::spa
         transform.transform(segment.data(), lines.data());
         for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += std::norm(lines[i]);
     }
-    if (*std::max_element(sum.begin(), sum.end()) == 0.0) refuse("the profile does not vary", "measured heights");
     for (std::size_t i = 2; i < sum.size(); ++i) {
         spectrum.cycles_per_m.push_back(static_cast<double>(i) / spectrum.segment_length_m);
         spectrum.psd_m3.push_back(2.0 * step / window_power * sum[i] / spectrum.segments);

@@ -132,7 +132,7 @@ void check_offset(const Evidence& evidence, std::vector<Fault>& faults) {
         const double rms = rms_of(evidence.detrended[i]);
         Line line;
         if (rms == 0.0 || channel.samples.size() < 16 * parts || !fit_line(channel.samples, line)) continue;
-        const std::string unit = si_unit(channel.description.quantity);
+        const std::string unit = value_unit(channel.description);
         if (line.p_mean < false_alarm && std::abs(line.mean) > least_offset * rms) {
             Fault found;
             found.kind = FaultKind::offset;

@@ -97,7 +97,7 @@ void check_clipping(const Evidence& evidence, std::size_t channel, const std::ve
     }
     if (clipped == 0) return;
     const double share = static_cast<double>(clipped) / static_cast<double>(sorted.size());
-    const std::string unit = si_unit(evidence.series().channels[channel].description.quantity);
+    const std::string unit = value_unit(evidence.series().channels[channel].description);
     Fault found = fault(evidence, channel, FaultKind::clipping, Severity::error,
                         fmt::format("clipped: {} samples ({:.3g} %) stand on the end of the range, {:.4g} to {:.4g} {}",
                                     clipped, 100.0 * share, sorted.front(), sorted.back(), unit));
@@ -170,14 +170,13 @@ void check_resolution(const Evidence& evidence, std::size_t channel, const std::
     const double step = (sorted.back() - sorted.front()) / static_cast<double>(levels > 1 ? levels - 1 : 1);
     // Rounding adds noise of step/√12: at a tenth of the rms it is −31 dB, seen in every quiet band.
     if (levels < 2 || sorted.size() < 10 * levels || step < 0.1 * rms) return;
-    Fault found =
-        fault(evidence, channel, FaultKind::coarse_resolution, Severity::note,
-              fmt::format(
-                  "few digits: {} different values, steps of {:.3g} of the rms; the rounding is noise of {:.3g} {} rms",
-                  levels, step / rms, step / std::sqrt(12.0),
-                  si_unit(evidence.series().channels[channel].description.quantity)));
+    Fault found = fault(
+        evidence, channel, FaultKind::coarse_resolution, Severity::note,
+        fmt::format(
+            "few digits: {} different values, steps of {:.3g} of the rms; the rounding is noise of {:.3g} {} rms",
+            levels, step / rms, step / std::sqrt(12.0), value_unit(evidence.series().channels[channel].description)));
     found.value = step;
-    found.unit = si_unit(evidence.series().channels[channel].description.quantity);
+    found.unit = value_unit(evidence.series().channels[channel].description);
     faults.push_back(std::move(found));
 }
 
@@ -200,7 +199,7 @@ void check_samples(const Evidence& evidence, std::vector<Fault>& faults) {
             Fault found = fault(evidence, i, FaultKind::constant, Severity::error,
                                 fmt::format("the channel is constant: {:.4g} throughout", sorted.front()));
             found.value = sorted.front();
-            found.unit = si_unit(evidence.series().channels[i].description.quantity);
+            found.unit = value_unit(evidence.series().channels[i].description);
             faults.push_back(std::move(found));
             continue;
         }

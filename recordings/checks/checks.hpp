@@ -32,6 +32,10 @@ struct Evidence {
 /// Missing samples (NaN), values that stand still, constant channels, few digits, clipping.
 void check_samples(const Evidence& evidence, std::vector<Fault>& faults);
 
+/// Clipping that a filter has smoothed since: the highest peaks are more alike than those of a random channel (mean
+/// excess over a high threshold, Rice's peaks). Needs some thousand peaks; a channel of strong lines is left out.
+void check_soft_clipping(const Evidence& evidence, std::vector<Fault>& faults);
+
 /// Mean and drift, by the t test on means of 16 parts of the record; 1/f noise, by the slope of the log-periodogram
 /// below 0.8 Hz (Geweke & Porter-Hudak 1983).
 void check_offset(const Evidence& evidence, std::vector<Fault>& faults);

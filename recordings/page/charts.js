@@ -34,12 +34,16 @@ function pageCharts(data) {
         ctx.moveTo(x, chartArea.top);
         ctx.lineTo(x, chartArea.bottom);
         ctx.stroke();
-        if (x - lastX < 13) continue;
+        if (x - lastX < 16) continue;
         lastX = x;
         ctx.fillStyle = colour('mark');
         ctx.save();
         ctx.translate(x + 10, chartArea.top + 4);
         ctx.rotate(Math.PI / 2);
+        ctx.strokeStyle = colour('panel'); // a halo, so that the curve behind does not cross the letters
+        ctx.setLineDash([]);
+        ctx.lineWidth = 4;
+        ctx.strokeText(mark.name, 0, 6);
         ctx.fillText(mark.name, 0, 6);
         ctx.restore();
       }
@@ -47,19 +51,26 @@ function pageCharts(data) {
     }
   };
 
-  // 1e-7 rather than 0.0000001, and only whole decades on logarithmic axes.
-  function tick(value, axis) {
-    if (axis.type === 'logarithmic') {
-      const decade = Math.round(Math.log10(value) * 1000) / 1000;
-      const leading = Math.round(value / Math.pow(10, Math.floor(decade + 1e-9)));
-      if (axis.axis === 'y' ? !Number.isInteger(decade) : ![1, 2, 5].includes(leading) || Math.abs(decade - Math.floor(decade + 1e-9) - Math.log10(leading)) > 2e-3) return '';
-    }
-    if (axis.type === 'logarithmic') value = Number(value.toPrecision(3));
-    return value !== 0 && (Math.abs(value) < 1e-3 || Math.abs(value) >= 1e5) ? value.toExponential(axis.type === 'logarithmic' ? 0 : 1) : String(Math.round(value * 1e6) / 1e6);
+  // Ticks of a logarithmic axis: 1, 2, 5 of every decade, or whole decades where there are more than three.
+  function buildTicks(axis) {
+    if (axis.type !== 'logarithmic') return;
+    const low = Math.floor(Math.log10(axis.min)), high = Math.ceil(Math.log10(axis.max));
+    const steps = axis.axis === 'y' && Math.log10(axis.max / axis.min) > 3 ? [1] : [1, 2, 5];
+    axis.ticks = [];
+    for (let decade = low; decade <= high; ++decade)
+      for (const step of steps) {
+        const value = Number((step * Math.pow(10, decade)).toPrecision(1));
+        if (value >= axis.min && value <= axis.max) axis.ticks.push({ value });
+      }
+  }
+
+  // 1e-7 rather than 0.0000001.
+  function tick(value) {
+    return value !== 0 && (Math.abs(value) < 1e-3 || Math.abs(value) >= 1e5) ? value.toExponential(0) : String(Math.round(value * 1e6) / 1e6);
   }
 
   function axes(chart) {
-    const base = (title) => ({ title: { display: true, text: title, color: colour('ink') }, ticks: { color: colour('soft'), maxRotation: 0, autoSkip: true, callback(value) { return tick(value, this); } }, grid: { color: colour('rule') } });
+    const base = (title) => ({ title: { display: true, text: title, color: colour('ink') }, ticks: { color: colour('soft'), maxRotation: 0, autoSkip: true, callback: tick }, grid: { color: colour('rule') }, afterBuildTicks: buildTicks });
     return {
       x: Object.assign(base(chart.x), { type: chart.xType || 'logarithmic' }),
       y: Object.assign(base(chart.y), { type: chart.yType })
@@ -68,7 +79,7 @@ function pageCharts(data) {
 
   function dataset(set, dash) {
     return { label: set.name, data: set.points, borderColor: colour(set.group), backgroundColor: set.fill ? colour(set.group) + '33' : colour(set.group),
-      borderDash: set.dash || dash, borderWidth: set.width ?? 1.4, pointRadius: set.dots ? 3 : 0, showLine: !set.dots || set.dots === 'joined',
+      borderDash: set.dash || dash, borderWidth: set.width ?? 1.4, pointRadius: set.dots || set.markers ? 3 : 0, showLine: !set.dots || set.dots === 'joined',
       fill: set.fill || false, spanGaps: false, quiet: set.quiet };
   }
 
@@ -87,7 +98,7 @@ function pageCharts(data) {
       type: 'line', data: { datasets }, plugins: chart.marks ? [marks] : [],
       options: { animation: false, parsing: false, normalized: true, maintainAspectRatio: false, scales, interaction: { mode: 'nearest', axis: 'x', intersect: false },
         plugins: { legend: { labels: { color: colour('ink'), boxWidth: 26, boxHeight: 0, filter: (item, all) => !all.datasets[item.datasetIndex].quiet } },
-          tooltip: { callbacks: { title: (items) => items.length ? items[0].parsed.x.toPrecision(4) + ' Hz' : '' } } } }
+          tooltip: { callbacks: { title: (items) => items.length ? items[0].parsed.x.toPrecision(4) + ' ' + (chart.xUnit || 'Hz') : '' } } } }
     }));
   }
 

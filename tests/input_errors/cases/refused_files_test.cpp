@@ -186,5 +186,32 @@ TEST(Arguments, HelpAndVersionAreNotErrors) {
     EXPECT_TRUE(folder.run({"--version"}).output.starts_with("railpem "));
 }
 
+TEST(RefusedFiles, MeasuredIrregularityOfARecording) {
+    const ProgramFolder folder;
+    folder.write(
+        "recording.toml",
+        "sampling_rate_hz = 100.0\ndata = \"recording.csv\"\nirregularity = \"track.csv\"\n[[channel]]\nname = "
+        "\"a\"\n");
+    std::string samples = "a\n";
+    for (int i = 0; i < 400; ++i) samples += std::to_string(i * 37 % 11) + "\n";
+    folder.write("recording.csv", samples);
+    for (const char* verb : {"validate", "inspect"}) {
+        const Outcome missing = folder.run({verb, "recording.toml"});
+        EXPECT_EQ(missing.status, 2);
+        EXPECT_EQ(
+            missing.message,
+            "recording.toml:3:16: there is no file 'track.csv'\n  3 | irregularity = \"track.csv\"\n    |            "
+            "    ^^^^^^^^^^^\nallowed: a path relative to this file\n");
+        folder.write("track.csv", "cycles_per_m,psd_m3\n0.02,4e-5\n0.01,4e-8\n");
+        const Outcome falling = folder.run({verb, "recording.toml"});
+        EXPECT_EQ(falling.status, 2);
+        EXPECT_EQ(falling.message,
+                  "track.csv:3: cycles_per_m does not increase\nallowed: strictly increasing values\n");
+        folder.write("track.csv", "cycles_per_m,psd_m3\n0.02,4e-5\n2,4e-8\n");
+        EXPECT_EQ(folder.run({verb, "recording.toml"}).status, 0);
+        std::filesystem::remove(folder.path("track.csv"));
+    }
+}
+
 }  // namespace
 }  // namespace railpem::tests

@@ -93,6 +93,50 @@ TEST(Inspection, OfAFileInSectionsFindsTheFaultAtItsTime) {
     EXPECT_TRUE(found);
 }
 
+TEST(Inspection, SectionsTellWhatTheWholeTells) {
+    // Four sections against the record in one piece: the same spectra but for the segments across the joints, the same
+    // line, and what all sections show alike said once.
+    const ScratchFolder folder;
+    Recording recording = testing::make_record({.duration_s = 96.0, .sampling_rate_hz = 250.0, .seed = 23});
+    auto& x = recording.series.channels[0].samples;
+    for (std::size_t n = 0; n < x.size(); ++n) {
+        const double t = static_cast<double>(n) / 250.0;
+        x[n] += 5.0 + (t >= 48.0 ? 2.0 * std::sin(2.0 * std::numbers::pi * 40.0 * t) : 0.0);  // in the second half only
+    }
+    write_csv(folder.file("recording.csv"), to_table(recording.series));
+    InspectionContext context;
+    context.geometry = testing::geometry();
+    const InspectionReport sections = inspect_file(recording.description, folder.path(), context, 6000);
+    const InspectionReport whole = inspect_file(recording.description, folder.path(), context);
+    EXPECT_NEAR(sections.averages / whole.averages, 92.0 / 95.0, 0.01);  // 4 × 23 segments against 95
+    ASSERT_EQ(sections.channels.size(), whole.channels.size());
+    ASSERT_EQ(sections.coherences.size(), whole.coherences.size());
+    for (std::size_t i = 0; i < whole.channels.size(); ++i) {
+        const ChannelInspection &part = sections.channels[i], &all = whole.channels[i];
+        ASSERT_EQ(part.bands.size(), all.bands.size());
+        for (std::size_t b = 6; b < all.bands.size(); ++b)
+            EXPECT_NEAR(part.bands[b].level_db, all.bands[b].level_db, 0.5) << all.description.name << " band " << b;
+        EXPECT_NEAR(part.noise_rms / all.noise_rms, 1.0, 0.1);
+        EXPECT_NEAR(part.kurtosis, all.kurtosis, 0.1);
+    }
+    const auto line = [](const InspectionReport& report) {
+        for (const SpectralLine& l : report.channels[0].lines)
+            if (std::abs(l.frequency_hz - 40.0) < 0.05) return l;
+        return SpectralLine{};
+    };
+    EXPECT_NEAR(line(whole).mean_square, 1.0, 0.1);  // 2²/2 over half of the time
+    EXPECT_NEAR(line(sections).mean_square, 1.0, 0.1);
+    EXPECT_NEAR(sections.speed_m_per_s, whole.speed_m_per_s, 1e-3 * whole.speed_m_per_s);
+    int offsets = 0;
+    for (const Fault& fault : sections.faults)
+        if (fault.kind == FaultKind::offset && fault.channels.front() == "axlebox_1") {
+            ++offsets;
+            EXPECT_NE(fault.says.find("the same in 4 of 4 sections"), std::string::npos) << fault.says;
+            EXPECT_EQ(fault.to_s, 0.0);  // everywhere
+        }
+    EXPECT_EQ(offsets, 1);
+}
+
 TEST(Inspection, OtherKindsSayWhatTheyLack) {
     Recording recording;
     recording.description.kind = RecordingKind::decay_rate;
