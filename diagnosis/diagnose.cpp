@@ -9,6 +9,7 @@
 
 #include "diagnosis/compare_channels.hpp"
 #include "diagnosis/inferred_curve.hpp"
+#include "diagnosis/locate.hpp"
 #include "diagnosis/separate.hpp"
 #include "diagnosis/verdict.hpp"
 
@@ -50,37 +51,23 @@ class Diagnosing {
         if (options_.progress) options_.progress(what, share);
     }
 
-    std::vector<PlaceEvidence> evidence_at(const Fit& fit, std::vector<CorrectionPlace>* best_places) {
-        const std::vector<CorrectionPlace> places = correction_places(believed_, observations_);
-        std::vector<std::vector<Unknown>> freedoms;
-        for (const CorrectionPlace& place : places) freedoms.push_back(correction_unknowns(place, observations_));
-        const std::vector<FreedomPromise> promises = promises_of(fit, freedoms, context_);
-        std::map<Element, std::pair<double, CorrectionPlace>> best;
-        for (std::size_t i = 0; i < places.size(); ++i) {
-            const auto found = best.find(places[i].element);
-            if (found == best.end() || promises[i].nats > found->second.first) best[places[i].element] = {promises[i].nats, places[i]};
-        }
-        std::vector<std::pair<double, CorrectionPlace>> ranked;
-        for (const auto& [element, own] : best) ranked.push_back(own);
-        std::sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
-        std::vector<PlaceEvidence> evidence;
-        for (const auto& [nats, place] : ranked) {
-            evidence.push_back({.element = place.element, .nats = nats});
-            if (best_places) best_places->push_back(place);
-        }
-        return evidence;
+    static std::vector<PlaceEvidence> evidence(const std::vector<LocatedEvidence>& located) {
+        std::vector<PlaceEvidence> result;
+        for (const LocatedEvidence& own : located) result.push_back({.element = own.place.element, .nats = own.nats});
+        return result;
     }
 
     void study_places() {
         say("locating in the structure", 0.76);
-        std::vector<CorrectionPlace> ranked;
-        study_.at_retuned = evidence_at(naming_.retuned.fit, &ranked);
+        const std::vector<LocatedEvidence> ranked = locate(naming_.retuned.fit, context_);
+        study_.at_retuned = evidence(ranked);
         if (!naming_.sets.empty() && naming_.sets.front().score() > naming_.retuned.score() + options_.thresholds.least_gain)
-            study_.at_named = evidence_at(naming_.sets.front().fit, nullptr);
+            study_.at_named = evidence(naming_.left_by_best.empty() ? locate(naming_.sets.front().fit, context_) : naming_.left_by_best);
         for (int i = 0; i < kAnonymousFits && i < static_cast<int>(ranked.size()); ++i) {
-            if (study_.at_retuned[static_cast<std::size_t>(i)].nats < options_.naming.least_promise) break;
-            say("free correction of the " + element_name(ranked[static_cast<std::size_t>(i)].element), 0.82 + 0.05 * i);
-            study_.anonymous.push_back(fit_set(believed_, naming_.retuned.fit, {}, {}, {ranked[static_cast<std::size_t>(i)]}, context_, {}));
+            const LocatedEvidence& own = ranked[static_cast<std::size_t>(i)];
+            if (own.nats < options_.naming.least_promise) break;
+            say("free correction of the " + element_name(own.place.element), 0.82 + 0.05 * i);
+            study_.anonymous.push_back(fit_set(believed_, naming_.retuned.fit, {}, {}, {own.place}, context_, near_));
         }
     }
 
@@ -88,8 +75,8 @@ class Diagnosing {
     void refit(const Decision& decision) {
         LikelihoodContext all = context_;
         all.part = Part::all;
-        retuned_ = fit_set(believed_, naming_.retuned.fit, {}, {}, {}, all, {});
-        named_ = decision.named ? fit_set(believed_, decision.named->fit, decision.named->effects, decision.named->released, {}, all, {}) : retuned_;
+        retuned_ = fit_set(believed_, naming_.retuned.fit, {}, {}, {}, all, near_);
+        named_ = decision.named ? fit_set(believed_, decision.named->fit, decision.named->effects, decision.named->released, {}, all, near_) : retuned_;
     }
 
     void report(const Decision& decision) {
@@ -330,6 +317,7 @@ class Diagnosing {
     const std::vector<Observation>& observations_;
     const DiagnoseOptions& options_;
     LikelihoodContext context_;
+    const FitOptions near_{.from_far = false};
     NamingResult naming_;
     PlaceStudy study_;
     FittedSet retuned_, named_;

@@ -89,8 +89,63 @@ class Search {
         result_.candidates = std::move(list.candidates);
         result_.first_promises = screen(result_.retuned.fit, result_.candidates, context_);
         first_round();
+        further_rounds();
+        if (left_over() < options_.residual) return;
+        const double before = best_score();
+        rescue_round();
+        if (best_score() < before + options_.least_gain) return;
+        further_rounds();
+        left_over();
+    }
+
+    void further_rounds() {
         for (int members = 2; members <= options_.most_effects; ++members)
             if (!further_round(members)) break;
+    }
+
+    double best_score() const {
+        double score = result_.retuned.score();
+        for (const FittedSet& set : result_.sets) score = std::max(score, set.score());
+        return score;
+    }
+
+    /// Nats that a free correction would still bring beside the best set.
+    double left_over() {
+        say("what is left", 0.7);
+        sort_sets();
+        const bool named = !result_.sets.empty() && result_.sets.front().score() > result_.retuned.score();
+        std::vector<LocatedEvidence> left = locate(named ? result_.sets.front().fit : result_.retuned.fit, context_);
+        const double most = left.empty() ? 0.0 : left.front().nats;
+        if (named) result_.left_by_best = std::move(left);
+        else left_by_retuned_ = std::move(left);
+        return most;
+    }
+
+    /// A strong effect distorts the retuned case so much that no first derivative finds it from there. Effects of the evident
+    /// places are fitted as the retuned case was: from the believed numbers, at a typical strength, with a blunt likelihood first.
+    void rescue_round() {
+        const std::vector<LocatedEvidence>& left = result_.left_by_best.empty() ? left_by_retuned_ : result_.left_by_best;
+        constexpr double kEvident = 0.1;  ///< share of the most evident place's nats
+        const auto is_evident = [&](Element element) {
+            if (element == Element::support) element = Element::pad;  // rigid ground has no correction of its own
+            return std::any_of(left.begin(), left.end(), [&](const LocatedEvidence& own) { return own.place.element == element && own.nats > kEvident * left.front().nats; });
+        };
+        std::vector<std::string> done;
+        for (const Candidate& candidate : result_.candidates) {
+            const Effect& effect = *find_effect(candidate.instance.effect);
+            const Element element = element_of(effect, candidate.instance);
+            if (element == Element::sensor || element == Element::irregularity || effect.id == "wheel-out-of-roundness" || effect.id == "failed-fasteners") continue;
+            const std::string label = label_of(candidate.instance);
+            if (!is_evident(element) || std::find(done.begin(), done.end(), label) != done.end()) continue;
+            done.push_back(label);
+            Candidate typical = candidate;
+            for (const EffectParameter& parameter : effect.parameters) typical.instance.values[parameter.name] = parameter.typical;
+            say(label + " from afar", 0.7);
+            FitOptions fit_options;
+            fit_options.between = [this, label] { say(label + " from afar", 0.7); };
+            fit_options.from_far = true;
+            result_.sets.push_back(fit_set(believed_, Fit{}, {typical}, {}, {}, context_, fit_options));
+        }
     }
 
     void say(const std::string& what, double share) {
@@ -115,6 +170,7 @@ class Search {
         say(text, share);
         FitOptions fit_options;
         fit_options.between = [this, text, share] { say(text, share); };
+        fit_options.from_far = false;
         result_.sets.push_back(fit_set(believed_, near, std::move(members), std::move(released), {}, context_, fit_options));
         return result_.sets.back();
     }
@@ -191,6 +247,7 @@ class Search {
     const LikelihoodContext& context_;
     const NamingOptions& options_;
     NamingResult& result_;
+    std::vector<LocatedEvidence> left_by_retuned_;
 };
 
 }  // namespace
@@ -230,9 +287,7 @@ FittedSet fit_set(const BelievedCase& believed, const Fit& near, std::vector<Can
             start.push_back(unknown.mean);
             unknowns.push_back(std::move(unknown));
         }
-    FitOptions own = options;
-    own.from_far = false;
-    set.fit = fit(trial, std::move(unknowns), std::move(start), context, own);
+    set.fit = fit(trial, std::move(unknowns), std::move(start), context, options);
     set.log_prior = prior_of(set, believed.uncertain.size());
     set.held_out = part_log_likelihood(set.fit, context, Part::held_out);
     return set;

@@ -8,6 +8,7 @@
 #include "diagnosis/candidates.hpp"
 #include "diagnosis/corrections.hpp"
 #include "diagnosis/fit.hpp"
+#include "diagnosis/locate.hpp"
 #include "diagnosis/screen.hpp"
 
 namespace railpem::diagnosis {
@@ -30,6 +31,7 @@ struct NamingOptions {
     int refits = 7;             ///< candidates refitted in the first round
     int later_refits = 4;       ///< and in each further one
     double least_promise = 5.0; ///< nats to first order that deserve a refit
+    double residual = 12.0;     ///< nats that free corrections may promise by chance; more, and the search starts again from afar
     double least_gain = 5.0;    ///< nats of log-evidence with prior that a further member must bring
     std::function<void(const std::string&, double)> progress;  ///< what is being done, share done
     std::function<bool()> interrupted;  ///< asked between steps; true ends the search with what is known
@@ -41,6 +43,7 @@ struct NamingResult {
     std::vector<NotTested> not_tested;
     std::vector<Promise> first_promises;
     std::vector<Candidate> candidates;
+    std::vector<LocatedEvidence> left_by_best;  ///< what free corrections would still bring beside the best set
     bool interrupted = false;
 };
 

@@ -1,0 +1,24 @@
+#include "diagnosis/locate.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace railpem::diagnosis {
+
+std::vector<LocatedEvidence> locate(const Fit& fit, const LikelihoodContext& context) {
+    const std::vector<CorrectionPlace> places = correction_places(*context.believed, *context.observations);
+    std::vector<std::vector<Unknown>> freedoms;
+    for (const CorrectionPlace& place : places) freedoms.push_back(correction_unknowns(place, *context.observations));
+    const std::vector<FreedomPromise> promises = promises_of(fit, freedoms, context);
+    std::map<Element, LocatedEvidence> best;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const auto found = best.find(places[i].element);
+        if (found == best.end() || promises[i].nats > found->second.nats) best[places[i].element] = {places[i], promises[i].nats};
+    }
+    std::vector<LocatedEvidence> ranked;
+    for (const auto& [element, own] : best) ranked.push_back(own);
+    std::stable_sort(ranked.begin(), ranked.end(), [](const LocatedEvidence& a, const LocatedEvidence& b) { return a.nats > b.nats; });
+    return ranked;
+}
+
+}  // namespace railpem::diagnosis

@@ -1,0 +1,21 @@
+#pragma once
+// Which place of the structure a free correction would have to be at.
+
+#include <vector>
+
+#include "diagnosis/corrections.hpp"
+#include "diagnosis/fit.hpp"
+#include "diagnosis/screen.hpp"
+
+namespace railpem::diagnosis {
+
+/// Evidence to first order of a free correction at one place, everything that the fit moves projected out.
+struct LocatedEvidence {
+    CorrectionPlace place;
+    double nats = 0.0;
+};
+
+/// Every element of the structure with its best place (the best channel for sensors), most evident first.
+std::vector<LocatedEvidence> locate(const Fit& fit, const LikelihoodContext& context);
+
+}  // namespace railpem::diagnosis
