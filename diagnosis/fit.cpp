@@ -11,9 +11,6 @@ namespace railpem::diagnosis {
 
 namespace {
 
-/// Floors of the stages: a likelihood blunted by 10 % has one broad maximum; each stage brings the next within reach.
-constexpr double kStages[] = {0.1, 0.02, 0.004};
-constexpr int kStageIterations = 2;
 constexpr double kFirstDamping = 1e-3;
 constexpr double kMostDamping = 1e6;
 constexpr double kLongestStep = 3.0;  ///< in deviations of the belief
@@ -150,11 +147,11 @@ Fit fit(const Trial& base, std::vector<Unknown> unknowns, std::vector<double> st
     LikelihoodContext stage = context;
     double damping = kFirstDamping;
     std::vector<double> values = std::move(start);
-    if (options.from_far)
-        for (const double floor : kStages) {
+    if (options.from_far)  // blunted by 10 % there is one broad maximum; each stage brings the next within reach
+        for (const double floor : options.stages) {
             stage.least_floor = floor;
             State state = state_at(base, unknowns, std::move(values), stage);
-            climb(base, unknowns, stage, options, kStageIterations, damping, state, result.iterations);
+            climb(base, unknowns, stage, options, options.stage_iterations, damping, state, result.iterations);
             values = std::move(state.values);
         }
     State state = state_at(base, unknowns, std::move(values), context);

@@ -14,6 +14,8 @@ struct FitOptions {
     int iterations = 12;           ///< at the last stage
     double least_gain = 0.1;       ///< nats: the fit ends when a step promises less
     bool from_far = true;          ///< begin with a blunt likelihood (large floor) that is sharpened in stages
+    std::vector<double> stages = {0.1, 0.02, 0.004};  ///< floors of the blunt likelihoods, when it begins with them
+    int stage_iterations = 2;
     std::function<void()> between; ///< called between steps; may throw to stop
 };
 

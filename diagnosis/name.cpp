@@ -65,6 +65,25 @@ std::vector<std::string> worth_releasing(const Fit& fit, const std::vector<std::
 /// Thrown between steps when somebody wants to end the search.
 struct Interrupted {};
 
+constexpr double kBluntFloor = 0.1;
+constexpr int kBluntIterations = 2;
+
+/// Typical values, and every parameter in turn near either end of its range.
+std::vector<Candidate> starts_of(const Candidate& candidate) {
+    constexpr double kNearEnd = 0.2;
+    const Effect& effect = *find_effect(candidate.instance.effect);
+    Candidate typical = candidate;
+    for (const EffectParameter& parameter : effect.parameters) typical.instance.values[parameter.name] = parameter.typical;
+    std::vector<Candidate> starts{typical};
+    for (const EffectParameter& parameter : effect.parameters)
+        for (const double share : {kNearEnd, 1.0 - kNearEnd}) {
+            const double low = to_coordinate(parameter, parameter.low), high = to_coordinate(parameter, parameter.high);
+            starts.push_back(typical);
+            starts.back().instance.values[parameter.name] = from_coordinate(parameter, low + share * (high - low));
+        }
+    return starts;
+}
+
 class Search {
   public:
     Search(const BelievedCase& believed, const LikelihoodContext& context, const NamingOptions& options, NamingResult& result)
@@ -138,19 +157,30 @@ class Search {
             const std::string label = label_of(candidate.instance);
             if (!is_evident(element) || std::find(done.begin(), done.end(), label) != done.end()) continue;
             done.push_back(label);
-            Candidate typical = candidate;
-            for (const EffectParameter& parameter : effect.parameters) typical.instance.values[parameter.name] = parameter.typical;
-            say(label + " from afar", 0.7);
-            FitOptions fit_options;
-            fit_options.between = [this, label] { say(label + " from afar", 0.7); };
-            fit_options.from_far = true;
-            result_.sets.push_back(fit_set(believed_, Fit{}, {typical}, {}, {}, context_, fit_options));
+            try_from_afar(candidate);
         }
     }
 
     void say(const std::string& what, double share) {
         if (options_.progress) options_.progress(what, share);
         if (options_.interrupted && options_.interrupted()) throw Interrupted{};
+    }
+
+    /// Several starts with a likelihood that is blunt enough to be smooth; the best of them is then sharpened.
+    void try_from_afar(const Candidate& candidate) {
+        const std::string label = label_of(candidate.instance) + " from afar";
+        FitOptions blunt_options{.iterations = kBluntIterations, .from_far = false};
+        blunt_options.between = [this, label] { say(label, 0.7); };
+        LikelihoodContext blunt = context_;
+        blunt.least_floor = kBluntFloor;
+        FittedSet best;
+        for (const Candidate& start : starts_of(candidate)) {
+            FittedSet set = fit_set(believed_, Fit{}, {start}, {}, {}, blunt, blunt_options);
+            if (best.effects.empty() || set.fit.log_posterior > best.fit.log_posterior) best = std::move(set);
+        }
+        FitOptions sharp_options{.iterations = 20, .stages = {0.1, 0.04, 0.015, 0.006, 0.0025}, .stage_iterations = 5};
+        sharp_options.between = blunt_options.between;
+        result_.sets.push_back(fit_set(believed_, best.fit, best.effects, {}, {}, context_, sharp_options));
     }
 
     void retune() {
