@@ -12,15 +12,20 @@ using lanes::Complex;
 
 namespace {
 
-std::vector<ConvectedPair> separations(const std::vector<double>& wheels) {
-    std::vector<ConvectedPair> pairs;
+ConvectedPairs convected_pairs(const std::vector<double>& wheels, double speed) {
+    ConvectedPairs pairs{.distances_m = {}, .wheels = {}, .speed_m_per_s = speed};
     for (int i = 0; i < 4; ++i)
         for (int j = 0; j < 4; ++j) {
-            const double separation = wheels[i] - wheels[j];
-            const auto same = [&](const ConvectedPair& pair) { return std::abs(pair.separation_m - separation) < 1e-9; };
-            const auto found = std::find_if(pairs.begin(), pairs.end(), same);
-            if (found != pairs.end()) found->wheels.emplace_back(i, j);
-            else pairs.push_back({separation, {{i, j}}});
+            const double distance = wheels[i] - wheels[j];
+            if (distance < 0.0) continue;
+            const auto same = [&](double other) { return std::abs(other - distance) < 1e-9; };
+            const auto found = std::find_if(pairs.distances_m.begin(), pairs.distances_m.end(), same);
+            const std::size_t place = static_cast<std::size_t>(found - pairs.distances_m.begin());
+            if (found == pairs.distances_m.end()) {
+                pairs.distances_m.push_back(distance);
+                pairs.wheels.emplace_back();
+            }
+            pairs.wheels[place].emplace_back(i, j);
         }
     return pairs;
 }
@@ -36,10 +41,7 @@ CoupledModel coupled_model(const CaseParameters& parameters, double speed_m_per_
     if (parameters.track.pads.preload_strength > 0.0) model.warnings = equilibrium.warnings;
     const double constant = contact_constant(parameters.contact, parameters.vehicle.wheel_radius_m);
     model.contact_compliance.fill(1.0 / contact_stiffness(constant, wheel_load_n(parameters)));
-    if (parameters.solver.moving) {
-        model.convected = separations(model.wheels_m);
-        model.convected_speed_m_per_s = speed_m_per_s;
-    }
+    if (parameters.solver.moving) model.convected = convected_pairs(model.wheels_m, speed_m_per_s);
     return model;
 }
 
@@ -63,12 +65,15 @@ void invert(WheelMatrix& m) {
 
 /// R(v) − R(0) for the lines of the group.
 void add_convected_change(const CoupledModel& model, lanes::Real omega, WheelMatrix& rail) {
-    std::vector<double> distances;
-    for (const ConvectedPair& pair : model.convected) distances.push_back(pair.separation_m);
+    const ConvectedPairs& pairs = model.convected;
+    std::array<track::ConvectedChange, track::kMostDistances> change;
     for (int lane = 0; lane < lanes::width; ++lane) {
-        const std::vector<std::complex<double>> change = model.rail->convected_change(omega[lane], model.convected_speed_m_per_s, distances);
-        for (std::size_t p = 0; p < distances.size(); ++p)
-            for (const auto& [i, j] : model.convected[p].wheels) rail[i][j].set(lane, rail[i][j][lane] + change[p]);
+        model.rail->convected_change(omega[lane], pairs.speed_m_per_s, pairs.distances_m, change.data());
+        for (std::size_t p = 0; p < pairs.distances_m.size(); ++p)
+            for (const auto& [i, j] : pairs.wheels[p]) {
+                rail[i][j].set(lane, rail[i][j][lane] + change[p].ahead);
+                if (i != j) rail[j][i].set(lane, rail[j][i][lane] + change[p].behind);
+            }
     }
 }
 
@@ -83,7 +88,7 @@ const GroupSolution& solve_group(const CoupledModel& model, lanes::Real omega, C
         for (int j = 0; j < 4; ++j) solution.rail[i][j] = rail.at(i, j);
         solution.trackbed[i] = rail.trackbed[static_cast<std::size_t>(i)];
     }
-    if (!model.convected.empty()) add_convected_change(model, omega, solution.rail);
+    if (!model.convected.distances_m.empty()) add_convected_change(model, omega, solution.rail);
     for (int i = 0; i < 4; ++i)
         for (int j = 0; j < 4; ++j) solution.forces[i][j] = solution.car.wheel(i, j) + solution.rail[i][j];
     for (int i = 0; i < 4; ++i) solution.forces[i][i].re += model.contact_compliance[i];

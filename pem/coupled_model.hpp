@@ -13,10 +13,11 @@
 
 namespace railpem::pem {
 
-/// Wheels i, j whose separation x_i − x_j is the same.
-struct ConvectedPair {
-    double separation_m;
-    std::vector<std::pair<int, int>> wheels;
+/// Wheels in motion: which distances there are between them, and which pairs have each.
+struct ConvectedPairs {
+    std::vector<double> distances_m;                       ///< distinct, ≥ 0; empty at rest
+    std::vector<std::vector<std::pair<int, int>>> wheels;  ///< per distance: (i, j) with x_i − x_j ≥ 0 so large
+    double speed_m_per_s = 0.0;
 };
 
 /// A case prepared for all frequencies: what does not depend on the frequency is computed once.
@@ -25,8 +26,7 @@ struct CoupledModel {
     std::unique_ptr<RailModel> rail;
     std::vector<double> wheels_m;             ///< positions of the wheels, front first
     std::array<double, 4> contact_compliance{};  ///< 1/K_h per wheel, m/N
-    std::vector<ConvectedPair> convected;        ///< empty at rest; else the distinct separations of the wheels
-    double convected_speed_m_per_s = 0.0;
+    ConvectedPairs convected;
     std::vector<std::string> warnings;
 };
 

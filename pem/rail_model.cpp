@@ -3,7 +3,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "track/convected_rail.hpp"
 #include "track/exact_rail.hpp"
 #include "track/modal_rail.hpp"
 #include "track/seat_stiffness.hpp"
@@ -62,18 +61,19 @@ class MeanEvaluator : public RailEvaluator {
 
 class ExactModel : public RailModel {
   public:
-    explicit ExactModel(std::vector<track::ExactRail> rails) : rails_(std::move(rails)) {}
+    explicit ExactModel(std::vector<track::ExactRail> rails) : rails_(std::move(rails)), smeared_pad_(stiffness_under_points(rails_.front())) {}
     std::unique_ptr<RailEvaluator> evaluator() const override {
         if (rails_.size() == 1) return std::make_unique<ExactEvaluator>(rails_.front());
         return std::make_unique<MeanEvaluator>(rails_);
     }
 
-    std::vector<std::complex<double>> convected_change(double omega, double speed, const std::vector<double>& separations) const override {
-        return track::convected_change(rails_.front(), stiffness_under_points(rails_.front()), omega, speed, separations);
+    void convected_change(double omega, double speed, const std::vector<double>& distances, track::ConvectedChange* change) const override {
+        track::convected_change(rails_.front(), smeared_pad_, omega, speed, distances, change);
     }
 
   private:
     std::vector<track::ExactRail> rails_;
+    double smeared_pad_;
 };
 
 /// Rails for wheels that roll over the track: at rest one, as the case has it. In motion the mean over positions that take
@@ -93,11 +93,13 @@ std::vector<track::ExactRail> positions(const CaseParameters& parameters, const 
     }
     const int first_seat = moved.track.failed_fasteners.empty() ? 0 : moved.track.failed_fasteners.front().first_seat;
     std::vector<track::ExactRail> rails;
+    track::StaticEquilibrium previous;
     for (int k = 0; k < kPerBay * period; ++k) {
         const double bays = static_cast<double>(k) / kPerBay;
         moved.track.wheel_offset_m = (bays - std::floor(bays)) * parameters.track.spacing_m;
         for (track::FailedFasteners& failed : moved.track.failed_fasteners) failed.first_seat = first_seat - static_cast<int>(bays);
-        rails.push_back(track::exact_rail(moved.track, wheels_m, case_equilibrium(moved)));
+        previous = dynamic_equilibrium(moved, &previous);
+        rails.push_back(track::exact_rail(moved.track, wheels_m, previous));
     }
     return rails;
 }
@@ -142,8 +144,8 @@ class ModalModel : public RailModel {
           rail_(track::modal_rail(track_, equilibrium_.position_m, points, modes)),
           smeared_(track::exact_rail(track_, points, equilibrium_)) {}
     std::unique_ptr<RailEvaluator> evaluator() const override { return std::make_unique<ModalEvaluator>(rail_, track_, equilibrium_); }
-    std::vector<std::complex<double>> convected_change(double omega, double speed, const std::vector<double>& separations) const override {
-        return track::convected_change(smeared_, stiffness_under_points(smeared_), omega, speed, separations);
+    void convected_change(double omega, double speed, const std::vector<double>& distances, track::ConvectedChange* change) const override {
+        track::convected_change(smeared_, stiffness_under_points(smeared_), omega, speed, distances, change);
     }
 
   private:
@@ -155,10 +157,24 @@ class ModalModel : public RailModel {
 
 }  // namespace
 
+namespace {
+
+std::vector<double> case_pads(const CaseParameters& parameters, const std::vector<double>& wheels) {
+    return track::pad_positions(parameters.track, wheels, parameters.solver.rail == RailSolution::modal ? parameters.solver.pads : 0);
+}
+
+}  // namespace
+
 track::StaticEquilibrium case_equilibrium(const CaseParameters& parameters) {
     const std::vector<double> wheels = vehicle::wheel_positions(parameters.vehicle);
-    const int count = parameters.solver.rail == RailSolution::modal ? parameters.solver.pads : 0;
-    return track::static_equilibrium(parameters.track, wheels, wheel_load_n(parameters), track::pad_positions(parameters.track, wheels, count));
+    return track::static_equilibrium(parameters.track, wheels, wheel_load_n(parameters), case_pads(parameters, wheels));
+}
+
+track::StaticEquilibrium dynamic_equilibrium(const CaseParameters& parameters, const track::StaticEquilibrium* start) {
+    const std::vector<double> wheels = vehicle::wheel_positions(parameters.vehicle);
+    const std::vector<double> pads = case_pads(parameters, wheels);
+    if (parameters.track.pads.preload_strength == 0.0) return track::load_independent_pads(parameters.track, pads);
+    return track::static_equilibrium(parameters.track, wheels, wheel_load_n(parameters), pads, start);
 }
 
 std::unique_ptr<RailModel> rail_model(const CaseParameters& parameters, const std::vector<double>& wheels_m,

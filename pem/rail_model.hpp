@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "pem/case_parameters.hpp"
+#include "track/convected_rail.hpp"
 #include "track/exact_rail.hpp"
 
 namespace railpem::pem {
@@ -20,8 +21,9 @@ class RailModel {
   public:
     virtual ~RailModel() = default;
     virtual std::unique_ptr<RailEvaluator> evaluator() const = 0;
-    /// R(v) − R(0) for points at these separations (track/convected_rail.hpp).
-    virtual std::vector<std::complex<double>> convected_change(double omega, double speed_m_per_s, const std::vector<double>& separations_m) const = 0;
+    /// R(v) − R(0) for points at these distances, into `change` (track/convected_rail.hpp).
+    virtual void convected_change(double omega, double speed_m_per_s, const std::vector<double>& distances_m,
+                                  track::ConvectedChange* change) const = 0;
 };
 
 /// The rail that the case asks for (solver.rail), on the pads of the static equilibrium.
@@ -30,5 +32,9 @@ std::unique_ptr<RailModel> rail_model(const CaseParameters& parameters, const st
 
 /// Static equilibrium of the case: the same pads, the same rail, the same wheel positions as in its dynamics.
 track::StaticEquilibrium case_equilibrium(const CaseParameters& parameters);
+
+/// As far as the dynamics of the rail need it, which is less when the pads do not stiffen under load; `start`: that of a similar
+/// case, to begin from.
+track::StaticEquilibrium dynamic_equilibrium(const CaseParameters& parameters, const track::StaticEquilibrium* start = nullptr);
 
 }  // namespace railpem::pem

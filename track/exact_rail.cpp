@@ -111,11 +111,8 @@ ExactRailWorkspace::ExactRailWorkspace(const ExactRail& rail)
 SupportLaw::SupportLaw(const PadParameters& pads, const SupportParameters& support, lanes::Real omega)
     : rigid_(support.model == SupportModel::rigid) {
     const double damping = pad_damping(pads);
-    for (int lane = 0; lane < lanes::width; ++lane) {
-        const double frequency = omega[lane] / (2.0 * M_PI);
-        shape_.set(lane, pad_shape(pads, frequency));
-        if (!rigid_) below_.set(lane, support_receptance(support, frequency));
-    }
+    shape_ = pad_shape(pads, omega / (2.0 * M_PI));
+    if (!rigid_) below_ = support_receptance(support, omega);
     dashpot_ = lanes::Complex(lanes::Real{}, damping * omega);
 }
 

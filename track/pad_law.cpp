@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "lanes/elementary_lanes.hpp"
+
 namespace railpem::track {
 
 namespace {
@@ -36,6 +38,19 @@ std::complex<double> pad_shape(const PadParameters& pads, double frequency_hz) {
     if (loss_replaces_dashpot(pads))
         shape *= std::pow(frequency_hz / pads.loss_reference_hz, 2.0 / std::numbers::pi * std::atan(pads.loss_factor));
     return shape;
+}
+
+lanes::Complex pad_shape(const PadParameters& pads, lanes::Real frequency_hz) {
+    lanes::Complex shape;
+    if (!pads.table_frequency_hz.empty()) {
+        for (int lane = 0; lane < lanes::width; ++lane) shape.set(lane, table_shape(pads, frequency_hz[lane]));
+        return shape;
+    }
+    shape.re = lanes::power(frequency_hz / pads.reference_frequency_hz, pads.exponent);
+    if (pads.causal) shape.im = shape.re * std::tan(0.5 * std::numbers::pi * pads.exponent);
+    if (pads.loss_factor != 0.0) shape = shape * lanes::Complex(std::complex<double>(1.0, pads.loss_factor));
+    if (!loss_replaces_dashpot(pads)) return shape;
+    return shape * lanes::power(frequency_hz / pads.loss_reference_hz, 2.0 / std::numbers::pi * std::atan(pads.loss_factor));
 }
 
 double pad_damping(const PadParameters& pads) {

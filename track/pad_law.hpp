@@ -3,6 +3,7 @@
 
 #include <complex>
 
+#include "lanes/complex_lanes.hpp"
 #include "track/pad_parameters.hpp"
 
 namespace railpem::track {
@@ -17,6 +18,9 @@ namespace railpem::track {
 ///   linear
 ///                 over log f, both constant beyond the ends of the table.
 std::complex<double> pad_shape(const PadParameters& pads, double frequency_hz);
+
+/// The same for a group of frequencies.
+lanes::Complex pad_shape(const PadParameters& pads, lanes::Real frequency_hz);
 
 /// The dashpot beside the spring, N·s/m: 0 where the causal loss law has taken its place.
 double pad_damping(const PadParameters& pads);

@@ -161,8 +161,8 @@ struct NewtonResult {
                          "fewer failed fasteners, stiffer pads or a smaller wheel load");
 }
 
-/// Solves unbalanced(u) = 0, starting from the unloaded track. The tangent is positive definite as long as anything carries.
-NewtonResult newton(const LoadedRail& rail, double rest_deflection_m, double spacing_m) {
+/// Solves unbalanced(u) = 0, starting from `start` or, if that is empty, from the unloaded track. The tangent is positive definite as long as anything carries.
+NewtonResult newton(const LoadedRail& rail, const std::vector<double>& start, double rest_deflection_m, double spacing_m) {
     constexpr int most_iterations =
         200;  // 5 to 10 are usual; a rail that lifts off and settles again may need some tens
     // Rounding in the beam's own forces, about EI·u/h³·1e-16, stays two orders below.
@@ -171,6 +171,7 @@ NewtonResult newton(const LoadedRail& rail, double rest_deflection_m, double spa
     VectorXd& u = result.deflection;
     u[0] = u[u.size() - 1] = rest_deflection_m;
     for (std::size_t j = 0; j < rail.pads(); ++j) u[LoadedRail::deflection(j)] = rest_deflection_m;
+    if (static_cast<Eigen::Index>(start.size()) == u.size()) u = Eigen::Map<const VectorXd>(start.data(), u.size());
 
     for (; result.iterations < most_iterations; ++result.iterations) {
         const VectorXd r = unbalanced(rail, u);
@@ -219,11 +220,11 @@ void warn(StaticEquilibrium& result, const LoadedRail& rail) {
 }  // namespace
 
 StaticEquilibrium static_equilibrium(const TrackParameters& track, const std::vector<double>& wheels_m,
-                                     double wheel_load_n, const std::vector<double>& pads_m) {
+                                     double wheel_load_n, const std::vector<double>& pads_m, const StaticEquilibrium* start) {
     assert(!pads_m.empty() && std::is_sorted(pads_m.begin(), pads_m.end()));
     const LoadedRail rail = assemble(track, wheels_m, wheel_load_n, pads_m);
     const SeatState unloaded = unloaded_seat(rail.seat, rest_load_n(track));
-    const NewtonResult found = newton(rail, unloaded.displacement_m, track.spacing_m);
+    const NewtonResult found = newton(rail, start ? start->deflection : std::vector<double>{}, unloaded.displacement_m, track.spacing_m);
 
     StaticEquilibrium result;
     result.position_m = pads_m;
@@ -240,9 +241,19 @@ StaticEquilibrium static_equilibrium(const TrackParameters& track, const std::ve
     result.unloaded_static_stiffness_n_per_m = pad_stiffness(rail.seat.curve, unloaded.compression_m);
     result.unloaded_dynamic_stiffness_n_per_m =
         initial_dynamic_stiffness(track.pads, result.unloaded_static_stiffness_n_per_m);
+    result.deflection.assign(found.deflection.begin(), found.deflection.end());
     result.iterations = found.iterations;
     result.residual_n = found.residual_n;
     warn(result, rail);
+    return result;
+}
+
+StaticEquilibrium load_independent_pads(const TrackParameters& track, const std::vector<double>& pads_m) {
+    assert(track.pads.preload_strength == 0.0);
+    StaticEquilibrium result;
+    result.position_m = pads_m;
+    result.unloaded_dynamic_stiffness_n_per_m = initial_dynamic_stiffness(track.pads, 0.0);
+    result.dynamic_stiffness_n_per_m.assign(pads_m.size(), result.unloaded_dynamic_stiffness_n_per_m);
     return result;
 }
 

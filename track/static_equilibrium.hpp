@@ -19,6 +19,7 @@ struct StaticEquilibrium {
     double unloaded_compression_m = 0.0;  ///< of an intact pad far from every wheel
     double unloaded_static_stiffness_n_per_m = 0.0;
     double unloaded_dynamic_stiffness_n_per_m = 0.0;
+    std::vector<double> deflection;     ///< of the rail at all nodes, m and rad: where another equilibrium may start
     int iterations = 0;                 ///< Newton steps taken
     double residual_n = 0.0;            ///< largest unbalanced nodal force left
     std::vector<std::string> warnings;  ///< lifted pads, loads beyond the measured curve
@@ -32,8 +33,14 @@ struct StaticEquilibrium {
 /// its share of pad and clip. `pads_m`: positions from pad_positions(). `wheel_load_n`: static load of each wheel,
 /// downwards. `track` must have passed check(). Accuracy: the residual is below 1e-10 of the largest load; against an
 /// independent solution the compressions agree to 1e-8. Throws parameters::ParameterError when a wheel stands off the
-/// track or no equilibrium exists.
+/// track or no equilibrium exists. `start`: a similar equilibrium (wheels shifted by part of a bay, other fasteners
+/// failed) to begin from; it saves iterations and changes nothing but rounding; one with another number of pads is ignored.
 StaticEquilibrium static_equilibrium(const TrackParameters& track, const std::vector<double>& wheels_m,
-                                     double wheel_load_n, const std::vector<double>& pads_m);
+                                     double wheel_load_n, const std::vector<double>& pads_m,
+                                     const StaticEquilibrium* start = nullptr);
+
+/// What the dynamics need of the equilibrium while the stiffness of the pads does not depend on their load
+/// (preload_strength 0): positions and dynamic stiffnesses alone, everything else empty or zero.
+StaticEquilibrium load_independent_pads(const TrackParameters& track, const std::vector<double>& pads_m);
 
 }  // namespace railpem::track

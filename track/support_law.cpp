@@ -27,6 +27,20 @@ std::complex<double> support_receptance(const SupportParameters& support, double
     return receptance;
 }
 
+lanes::Complex support_receptance(const SupportParameters& support, lanes::Real omega) {
+    if (support.model == SupportModel::rigid) return {};
+    const lanes::Real omega2 = omega * omega;
+    const lanes::Complex spring(lanes::broadcast(support.stiffness_n_per_m),
+                                support.stiffness_n_per_m * support.loss_factor + omega * support.damping_n_s_per_m);
+    lanes::Complex receptance = lanes::reciprocal(spring + (-omega2 * support.mass_kg));
+    for (const SleeperMode& mode : support.bending_modes) {
+        const double natural2 = two_pi * mode.frequency_hz * two_pi * mode.frequency_hz;
+        const lanes::Complex beam(natural2 - omega2, lanes::broadcast(natural2 * mode.loss_factor));
+        receptance += lanes::reciprocal(beam * mode.modal_mass_kg + spring * (mode.modal_mass_kg / support.mass_kg));
+    }
+    return receptance;
+}
+
 double static_support_compliance(const SupportParameters& support) {
     if (support.model == SupportModel::rigid) return 0.0;
     double compliance = 1.0 / support.stiffness_n_per_m;

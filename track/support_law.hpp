@@ -3,6 +3,7 @@
 
 #include <complex>
 
+#include "lanes/complex_lanes.hpp"
 #include "track/support_parameters.hpp"
 
 namespace railpem::track {
@@ -11,6 +12,9 @@ namespace railpem::track {
 /// that of the mass on its spring and of the sleeper's bending modes, as stated at SupportParameters (Knothe & Grassie
 /// 1993).
 std::complex<double> support_receptance(const SupportParameters& support, double frequency_hz);
+
+/// The same for a group of frequencies, given as ω in rad/s.
+lanes::Complex support_receptance(const SupportParameters& support, lanes::Real omega);
 
 /// The same at rest, m/N: springs only, no loss.
 double static_support_compliance(const SupportParameters& support);
