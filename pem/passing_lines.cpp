@@ -21,7 +21,7 @@ constexpr double kPulseReach =
 /// Deflection under the standing load of wheel `wheel` per newton: Σ_j C_wj at the given frequencies (one lane group).
 lanes::Complex compliance(const CaseParameters& parameters, const std::vector<double>& wheels_m, lanes::Real omega,
                           std::size_t wheel) {
-    const track::ExactRail rail = track::exact_rail(parameters.track, wheels_m, case_equilibrium(parameters));
+    const track::ExactRail rail = track::exact_rail(parameters.track, wheels_m, dynamic_equilibrium(parameters));
     track::ExactRailWorkspace workspace(rail);
     const track::RailReceptance& receptance = track::rail_receptance(rail, omega, workspace);
     lanes::Complex sum;
@@ -51,9 +51,11 @@ CaseParameters moved_case(const CaseParameters& parameters, double position_bays
 std::vector<track::ExactRail> sampled_rails(const CaseParameters& parameters, const std::vector<double>& wheels_m,
                                             int period) {
     std::vector<track::ExactRail> rails;
+    track::StaticEquilibrium previous;  // of a train one sample behind: a near start for the next
     for (int k = 0; k < kPositionsPerBay * period; ++k) {
         const CaseParameters moved = moved_case(parameters, static_cast<double>(k) / kPositionsPerBay);
-        rails.push_back(track::exact_rail(moved.track, wheels_m, case_equilibrium(moved)));
+        previous = dynamic_equilibrium(moved, &previous);
+        rails.push_back(track::exact_rail(moved.track, wheels_m, previous));
     }
     return rails;
 }

@@ -9,6 +9,9 @@ namespace railpem::spectra {
 double line_power_in_bin(double low_hz, double high_hz, double line_hz, double power, double deviation_hz) {
     assert(low_hz <= high_hz && deviation_hz >= 0.0);
     if (deviation_hz == 0.0) return low_hz <= line_hz && line_hz < high_hz ? power : 0.0;
+    // erfc(27.3) is below the smallest number there is: farther off, the line leaves exactly nothing.
+    const double farthest = 27.3 * std::numbers::sqrt2 * deviation_hz;
+    if (low_hz - line_hz > farthest || line_hz - high_hz > farthest) return 0.0;
     const double low = (low_hz - line_hz) / (std::numbers::sqrt2 * deviation_hz);
     const double high = (high_hz - line_hz) / (std::numbers::sqrt2 * deviation_hz);
     // On one side of the line the difference of two values near ±1 would cancel: erfc is small there.

@@ -9,8 +9,10 @@
 
 #include "../verification/pem/paper_case.hpp"
 #include "pem/coupled_model.hpp"
+#include "pem/passing_lines.hpp"
 #include "pem/solution.hpp"
 #include "pem/track_response.hpp"
+#include "pem/wheel_transfers.hpp"
 #include "track/exact_rail.hpp"
 
 namespace {
@@ -108,6 +110,49 @@ void case_3_all_outputs(benchmark::State& state) {
     state.SetItemsProcessed(state.iterations() * 1998);
 }
 BENCHMARK(case_3_all_outputs)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+/// Case 3 with every effect of the track that the model knows, the ones that make lines included.
+pem::CaseParameters every_track_effect() {
+    pem::CaseParameters c = tests::paper_case(3);
+    c.track.pads.causal = true;
+    c.track.rail.beam = track::Beam::timoshenko;
+    c.track.rail.cross_section_m2 = 60.64 / 7850.0;
+    c.track.support = {.model = track::SupportModel::two_layer, .mass_kg = 150.0, .stiffness_n_per_m = 60e6, .loss_factor = 0.5,
+                       .bending_modes = {{.frequency_hz = 120.0, .loss_factor = 0.02, .modal_mass_kg = 80.0}}};
+    c.track.rail_dampers = {{.mass_kg_per_m = 15.0, .frequency_hz = 120.0, .loss_factor = 0.3}};
+    c.track.failed_fasteners = {{.every = 8}};
+    c.sleeper_passing.amplitude_factor = 1.0;
+    c.irregularity.corrugation = {{.wavelength_m = 0.3, .relative_bandwidth = 0.1, .rms_m = 20e-6}};
+    c.irregularity.joints = {{.spacing_m = 12.0, .depth_m = 1e-3, .length_m = 0.5}};
+    return c;
+}
+
+/// The same 2000 lines with every effect of the track: to be compared with case_3_all_outputs/1.
+void case_3_every_track_effect(benchmark::State& state) {
+    const pem::CaseParameters c = every_track_effect();
+    for (auto _ : state) benchmark::DoNotOptimize(pem::solve_case(c, 22.2222, {.threads = 1}));
+    state.SetItemsProcessed(state.iterations() * 1998);
+}
+BENCHMARK(case_3_every_track_effect)->Unit(benchmark::kMillisecond);
+
+/// The lines of sleeper passing of case 1; with regular failures in case 3.
+void passing_lines(benchmark::State& state) {
+    pem::CaseParameters c = tests::paper_case(1);
+    c.sleeper_passing.amplitude_factor = 1.0;
+    if (state.range(0) != 0) c = every_track_effect();
+    const std::vector<double> wheels = vehicle::wheel_positions(c.vehicle);
+    for (auto _ : state) benchmark::DoNotOptimize(pem::passing_lines(c, wheels, 22.2222));
+}
+BENCHMARK(passing_lines)->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
+
+/// What the diagnosis evaluates: the transfers of 350 lines, wheels at rest or in motion; model included.
+void wheel_transfers_350(benchmark::State& state) {
+    pem::CaseParameters c = tests::paper_case(static_cast<int>(state.range(0)));
+    c.solver.moving = state.range(1) != 0;
+    for (auto _ : state) benchmark::DoNotOptimize(pem::wheel_transfers(pem::coupled_model(c, 22.2222), 0.5, 0.5, 350, {0, 1, 2, 3, 4, 5, 6, 7, 8}, 1));
+    state.SetItemsProcessed(state.iterations() * 350);
+}
+BENCHMARK(wheel_transfers_350)->Args({1, 0})->Args({1, 1})->Args({3, 0})->Args({3, 1})->Unit(benchmark::kMillisecond);
 
 /// UIC60 on ballast: receptance over a pad and mid-bay, 1500 lines 20–3000 Hz.
 void receptance_uic60(benchmark::State& state) {

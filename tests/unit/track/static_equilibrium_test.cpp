@@ -52,6 +52,18 @@ TEST(StaticEquilibrium, ConsistentVariant) {
     EXPECT_NEAR(largest(found.static_stiffness_n_per_m), 31.12e6, 0.005e6);
 }
 
+/// From a neighbour, wheels 5 cm away and fasteners failed in between, to the same equilibrium in fewer steps.
+TEST(StaticEquilibrium, StartsFromANeighbour) {
+    TrackParameters track = wei2016_track();
+    const StaticEquilibrium neighbour = equilibrium(track);
+    track.wheel_offset_m = 0.05;
+    const std::vector<double> pads = pad_positions(track, wei2016_wheels_m, wei2016_pads);
+    const StaticEquilibrium cold = static_equilibrium(track, wei2016_wheels_m, wei2016_wheel_load_n, pads);
+    const StaticEquilibrium warm = static_equilibrium(track, wei2016_wheels_m, wei2016_wheel_load_n, pads, &neighbour);
+    EXPECT_LT(warm.iterations, cold.iterations);
+    for (std::size_t j = 0; j < pads.size(); ++j) EXPECT_NEAR(warm.compression_m[j], cold.compression_m[j], 1e-10 * largest(cold.compression_m));
+}
+
 TEST(StaticEquilibrium, NewtonConvergesQuadratically) {
     TrackParameters ballasted = wei2016_track();
     ballasted.support = {SupportModel::two_layer, 150.0, 60e6, 0.0, 0.0, {}};

@@ -169,6 +169,21 @@ TEST(SleeperPassing, SizeOfTheFirstLine) {
     }
 }
 
+/// Pads that do not stiffen under load need no equilibrium: the lines are those of a vanishing preload strength, whose pads get one.
+TEST(SleeperPassing, WithoutEquilibriumAsWithOne) {
+    pem::CaseParameters c = coarse_case();
+    c.sleeper_passing.amplitude_factor = 1.0;
+    c.track.failed_fasteners = {{.every = 3, .remaining_stiffness_fraction = 0.2}};
+    const std::vector<double> wheels = vehicle::wheel_positions(c.vehicle);
+    const std::vector<pem::SpectralLine> without = pem::passing_lines(c, wheels, kSpeed);
+    c.track.pads.preload_strength = 1e-9;
+    const std::vector<pem::SpectralLine> with = pem::passing_lines(c, wheels, kSpeed);
+    ASSERT_EQ(without.size(), with.size());
+    for (std::size_t i = 0; i < with.size(); ++i)
+        for (std::size_t wheel = 0; wheel < 4; ++wheel)
+            EXPECT_NEAR(std::abs(with[i].amplitude_m[wheel] - without[i].amplitude_m[wheel]), 0.0, 1e-8 * std::abs(with[0].amplitude_m[wheel]));
+}
+
 /// A train over every sixth failed seat: lines at m·v/(6·0.6 m), and none between.
 TEST(FailedFasteners, LinesOfTheirPeriod) {
     pem::CaseParameters c = coarse_case();
