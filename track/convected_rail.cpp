@@ -88,7 +88,8 @@ Grid wavenumber_grid(const ExactRail& rail, double pad_stiffness, double omega, 
     const double reach = kReach * wavenumber;
     Grid grid{.step = std::max(2.0 * std::numbers::pi / (farthest + kLogImages / decay), 2.0 * reach / kMostTerms), .centre = 0.0, .gathering = 0.0, .groups = 0};
     double half = reach;
-    if (omega / speed < kBreakFelt * wavenumber) {
+    const double felt = rail.rail.loss_factor > 0.0 ? reach : kBreakFelt * wavenumber;  // a loss of the rail turns its sign there, too
+    if (omega / speed < felt) {
         grid.centre = omega / speed;
         grid.step /= kStretched;
         grid.gathering = kGathered * grid.step;
@@ -98,12 +99,57 @@ Grid wavenumber_grid(const ExactRail& rail, double pad_stiffness, double omega, 
     return grid;
 }
 
-/// 1/2π ∫ (1/D_v − 1/D_0) dk over |k| beyond `below` < 0 and `above`, where inertia (D falls by m·v²k²) is all that tells the two apart:
-/// with 1/D_0 = s/k² + 1/(Bk⁴), s the shear compliance, it falls off with k^−6 only as long as the rail does not shear.
-std::complex<double> beyond_reach(const ExactRail& rail, const Laws& laws, double speed, double below, double above) {
-    const std::complex<double> b = laws.beam.bending[0], s = laws.beam.shear_compliance[0];
-    const auto tail = [&](double k) { return s * s / k + 2.0 * s / (3.0 * b * k * k * k) + 1.0 / (5.0 * b * b * std::pow(k, 5)); };
-    return rail.rail.mass_kg_per_m * speed * speed / (2.0 * std::numbers::pi) * (tail(-below) + tail(above));
+/// 1/D_v − 1/D_0 at one frequency and speed.
+class Change {
+  public:
+    Change(const ExactRail& rail, double pad_stiffness, double omega, double speed)
+        : rail_(rail), pad_stiffness_(pad_stiffness), omega_(omega), speed_(speed), at_rest_(laws_at(rail, pad_stiffness, lanes::broadcast(omega))) {}
+
+    Complex operator()(Real k) const {  // (D_0 − D_v)/(D_v·D_0)
+        const Real convected = omega_ - speed_ * k, size = convected < Real{} ? -convected : convected;
+        Complex moving = dynamic_stiffness(laws_at(rail_, pad_stiffness_, size), rail_.rail.beam, k);
+        moving.im = convected < Real{} ? -moving.im : moving.im;
+        const Complex resting = dynamic_stiffness(at_rest_, rail_.rail.beam, k);
+        return (resting - moving) / (moving * resting);
+    }
+    /// Where ω' = 0 and losses turn their sign.
+    double reversal() const { return omega_ / speed_; }
+    const Laws& at_rest() const { return at_rest_; }
+
+  private:
+    const ExactRail& rail_;
+    double pad_stiffness_, omega_, speed_;
+    Laws at_rest_;
+};
+
+/// ∫ of the change from k = `from` outwards to from/`last`, last = 0: for ever. Gauss–Legendre, 8 points in u = from/k, in which k^−2 dk is
+/// constant.
+std::complex<double> outwards(const Change& change, double from, double last) {
+    constexpr std::array<double, 4> at{0.183434642495649805, 0.525532409916328986, 0.796666477413626740, 0.960289856497536232};
+    constexpr std::array<double, 4> weight{0.362683783378361983, 0.313706645877887287, 0.222381034453374471, 0.101228536290376259};
+    std::complex<double> sum = 0.0;
+    for (const double side : {-1.0, 1.0}) {
+        Real u;
+        for (int lane = 0; lane < lanes::width; ++lane) u[lane] = 0.5 * (1.0 + last) + 0.5 * (1.0 - last) * side * at[static_cast<std::size_t>(lane)];
+        const Complex density = change(from / u) * (1.0 / (u * u));
+        for (int lane = 0; lane < lanes::width; ++lane) sum += weight[static_cast<std::size_t>(lane)] * density[lane];
+    }
+    return 0.5 * (1.0 - last) * std::abs(from) * sum;
+}
+
+/// What the grid, which ends at `below` < 0 and `above`, leaves out of ∫ e^{ikx}(1/D_v − 1/D_0) dk. A rail in shear needs it: there
+/// 1/D_0 = s/k² + 1/(Bk⁴), s the shear compliance, falls off with k^−2 only. For x ≠ 0 the waves cancel but for the step that the
+/// constant loss of the rail leaves at the end of the range.
+std::complex<double> beyond_reach(const Change& change, double below, double above, double x) {
+    const double reversal = change.reversal();
+    if (x == 0.0) {
+        const std::complex<double> behind = outwards(change, below, 0.0);
+        if (reversal <= above) return behind + outwards(change, above, 0.0);
+        return behind + outwards(change, above, above / reversal) + outwards(change, reversal, 0.0);
+    }
+    const double end = std::max(above, reversal);
+    const std::complex<double> compliance = change.at_rest().beam.shear_compliance[0] / (end * end) + 1.0 / (change.at_rest().beam.bending[0] * std::pow(end, 4));
+    return (std::conj(compliance) - compliance) * std::complex<double>(0.0, 1.0 / x) * std::polar(1.0, end * x);
 }
 
 /// τ and dτ/dt.
@@ -129,15 +175,7 @@ void convected_change(const ExactRail& rail, double pad_stiffness_n_per_m, doubl
     std::fill_n(change, distances_m.size(), ConvectedChange{});
     if (speed_m_per_s == 0.0 || distances_m.empty()) return;
     const Grid grid = wavenumber_grid(rail, pad_stiffness_n_per_m, omega, speed_m_per_s, *std::max_element(distances_m.begin(), distances_m.end()));
-    const Beam beam = rail.rail.beam;
-    const Laws at_rest = laws_at(rail, pad_stiffness_n_per_m, lanes::broadcast(omega));
-    const auto difference = [&](Real k) {  // 1/D_v − 1/D_0 = (D_0 − D_v)/(D_v·D_0)
-        const Real convected = omega - speed_m_per_s * k, size = convected < Real{} ? -convected : convected;
-        Complex moving = dynamic_stiffness(laws_at(rail, pad_stiffness_n_per_m, size), beam, k);
-        moving.im = convected < Real{} ? -moving.im : moving.im;
-        const Complex resting = dynamic_stiffness(at_rest, beam, k);
-        return (resting - moving) / (moving * resting);
-    };
+    const Change difference(rail, pad_stiffness_n_per_m, omega, speed_m_per_s);
     std::array<Sums, kMostDistances> sums{};
     for (int group = 0; group < grid.groups; ++group) {
         Real t;
@@ -158,9 +196,9 @@ void convected_change(const ExactRail& rail, double pad_stiffness_n_per_m, doubl
         const std::complex<double> centre = std::polar(1.0, grid.centre * distances_m[i]);
         change[i].ahead = grid.step / (2.0 * std::numbers::pi) * centre * (even + odd);
         change[i].behind = grid.step / (2.0 * std::numbers::pi) * std::conj(centre) * (even - odd);
-        if (distances_m[i] > 0.0) continue;  // elsewhere waves so short cancel
-        change[i].ahead += beyond_reach(rail, at_rest, speed_m_per_s, grid.centre - half, grid.centre + half);
-        change[i].behind = change[i].ahead;
+        const double x = distances_m[i], below = grid.centre - half, above = grid.centre + half;
+        change[i].ahead += beyond_reach(difference, below, above, x) / (2.0 * std::numbers::pi);
+        change[i].behind += beyond_reach(difference, below, above, -x) / (2.0 * std::numbers::pi);
     }
 }
 

@@ -25,8 +25,8 @@ inline constexpr std::size_t kMostDistances = 8;
 /// (Euler: Bk⁴ − μ + K/spacing), r' = ω'²ρI, μ = ω'²(m + dampers), K(−ω') = conj K(ω').
 /// `distances_m` ≥ 0, at most kMostDistances (R(v) is not symmetric). `pad_stiffness_n_per_m`: K0 of the pads around the wheels.
 ///
-/// Trapezoidal rule, which converges exponentially: its step keeps the periodic images of the slowest wave below 1e-7, its reach leaves
-/// out less than 1e-4 of the change. Losses that do not go with the frequency and powers of it break at ω' = 0, k = ω/v; where that lies
+/// Trapezoidal rule, which converges exponentially: its step keeps the periodic images of the slowest wave below 1e-7, what lies beyond
+/// its reach is added by Gauss points in 1/k. Laws whose loss is no odd polynomial of ω' break at ω' = 0, k = ω/v; where that lies
 /// among the waves of the rail the points gather there. For v = 0 exactly zero. v ≥ 0 and below the critical speed; ω > 0.
 void convected_change(const ExactRail& rail, double pad_stiffness_n_per_m, double omega, double speed_m_per_s,
                       const std::vector<double>& distances_m, ConvectedChange* change);

@@ -120,24 +120,38 @@ LoadedRail assemble(const TrackParameters& track, const std::vector<double>& whe
     return rail;
 }
 
-/// Loads that nothing balances yet, N and N·m; the negative gradient of the potential energy.
-VectorXd unbalanced(const LoadedRail& rail, const VectorXd& u) {
-    VectorXd r = rail.load - multiply(rail.stiffness, u);
+/// Where a deflection leads: the loads that nothing balances yet, N and N·m, the negative gradient of the potential energy; and the
+/// tangents of the seats. Both at once, for a seat on a support costs an iteration of its own.
+struct Unbalanced {
+    VectorXd load;
+    std::vector<double> tangent_n_per_m;
+};
+
+Unbalanced unbalanced(const LoadedRail& rail, const VectorXd& u) {
+    Unbalanced result{rail.load - multiply(rail.stiffness, u), std::vector<double>(rail.pads())};
     for (std::size_t j = 0; j < rail.pads(); ++j) {
         const int at = LoadedRail::deflection(j);
-        r[at] -= seat_state(rail.seat, rail.scale[j], u[at]).force_on_rail_n;
+        const SeatState seat = seat_state(rail.seat, rail.scale[j], u[at]);
+        result.load[at] -= seat.force_on_rail_n;
+        result.tangent_n_per_m[j] = seat.tangent_n_per_m;
     }
-    return r;
+    return result;
 }
 
-/// How far to go along a Newton step. F(S) never falls, so the potential energy is convex and its slope along the step,
+/// Goes along a Newton step, as far as is good. F(S) never falls, so the potential energy is convex and its slope along the step,
 /// −r·d, rises steadily: a step that ends before the minimum is taken as it is, one that overshoots is halved until the
 /// slope behind the minimum is at most half of what it was at the start (Crisfield 1991, section 9.2).
-double step_length(const LoadedRail& rail, const VectorXd& u, const VectorXd& step) {
-    const double at_start = unbalanced(rail, u).dot(step);
+void advance(const LoadedRail& rail, const VectorXd& step, VectorXd& u, Unbalanced& state) {
+    const double at_start = state.load.dot(step);
+    const VectorXd start = u;
     double length = 1.0;
-    for (int i = 0; i < 60 && unbalanced(rail, u + length * step).dot(step) < -0.5 * at_start; ++i) length *= 0.5;
-    return length;
+    u = start + step;
+    state = unbalanced(rail, u);
+    for (int i = 0; i < 60 && state.load.dot(step) < -0.5 * at_start; ++i) {
+        length *= 0.5;
+        u = start + length * step;
+        state = unbalanced(rail, u);
+    }
 }
 
 /// Largest unbalanced nodal load, N; moments count over half a bay.
@@ -173,18 +187,14 @@ NewtonResult newton(const LoadedRail& rail, const std::vector<double>& start, do
     for (std::size_t j = 0; j < rail.pads(); ++j) u[LoadedRail::deflection(j)] = rest_deflection_m;
     if (static_cast<Eigen::Index>(start.size()) == u.size()) u = Eigen::Map<const VectorXd>(start.data(), u.size());
 
-    for (; result.iterations < most_iterations; ++result.iterations) {
-        const VectorXd r = unbalanced(rail, u);
-        result.residual_n = residual_n(rail, r, spacing_m);
+    for (Unbalanced state = unbalanced(rail, u); result.iterations < most_iterations; ++result.iterations) {
+        result.residual_n = residual_n(rail, state.load, spacing_m);
         if (result.residual_n <= tolerance) return result;
         SymmetricBand tangent = rail.stiffness;
-        for (std::size_t j = 0; j < rail.pads(); ++j) {
-            const int at = LoadedRail::deflection(j);
-            tangent(0, at) += seat_state(rail.seat, rail.scale[j], u[at]).tangent_n_per_m;
-        }
-        VectorXd step = r;
+        for (std::size_t j = 0; j < rail.pads(); ++j) tangent(0, LoadedRail::deflection(j)) += state.tangent_n_per_m[j];
+        VectorXd step = state.load;
         if (!solve_in_place(tangent, step)) refuse();
-        u += step_length(rail, u, step) * step;
+        advance(rail, step, u, state);
     }
     refuse();
 }

@@ -109,16 +109,16 @@ Complex density(const track::TrackParameters& track, double stiffness, double co
 }
 
 /// The reference: composite Gauss–Legendre (five points) to both sides of the break at ω' = 0, k = ω/v, panels growing away from it up to
-/// 0.03 rad/m, reach 300 rad/m (a rail that shears needs it: the change then falls off with k^−2 only). Everything differs from the sum in question but the integral itself.
+/// 0.03 rad/m among the waves of the rail, reach 10⁴ rad/m (a rail that shears needs it: the change falls off with k^−2 only). Everything differs from the sum in question but the integral itself.
 struct Reference {
     std::vector<double> k;
     std::vector<Complex> weighted;  ///< weight·(1/D_v − 1/D_0)/2π
 
     Reference(const track::TrackParameters& track, double stiffness, double omega, double v) {
         constexpr double at[]{0.0, 0.538469310105683091, 0.906179845938663993}, w[]{0.568888888888888889, 0.478628670499366468, 0.236926885056189088};
-        const double middle = omega / v, reach = 300.0;
+        const double middle = omega / v, reach = 1e4;
         for (const double side : {-1.0, 1.0})
-            for (double from = 0.0, size = 1e-5; from < reach + middle; from += size, size = std::min(std::abs(middle + side * from) < 41.0 ? 0.03 : 0.3, 1.3 * size))
+            for (double from = 0.0, size = 1e-5; from < reach + middle; from += size, size = std::min(std::abs(middle + side * from) < 41.0 ? 0.03 : 0.3 + 1e-3 * from, 1.3 * size))
                 for (int n = -2; n <= 2; ++n) {
                     const double x = middle + side * (from + 0.5 * size * (1.0 + (n < 0 ? -1.0 : 1.0) * at[std::abs(n)]));
                     if (std::abs(x) > reach) continue;
