@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include <functional>
 #include <numbers>
 
@@ -63,8 +65,9 @@ std::vector<Complex> modal(const TrackParameters& track) {
 std::vector<Complex> convected(const TrackParameters& track) {
     std::vector<Complex> values;
     for (const double f : {15.0, 120.0}) {
-        const std::vector<Complex> change = convected_change(uniform_rail(track, {0.0}, kPad), kPad, 2.0 * std::numbers::pi * f, 22.0, {0.0, 2.4, -2.4});
-        values.insert(values.end(), change.begin(), change.end());
+        std::array<ConvectedChange, 2> change;
+        convected_change(uniform_rail(track, {0.0}, kPad), kPad, 2.0 * std::numbers::pi * f, 22.0, {0.0, 2.4}, change.data());
+        for (const ConvectedChange& own : change) values.insert(values.end(), {own.ahead, own.behind});
     }
     return values;
 }
