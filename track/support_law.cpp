@@ -31,8 +31,9 @@ std::complex<double> support_receptance(const SupportParameters& support, double
 lanes::Complex support_receptance(const SupportParameters& support, lanes::Real omega) {
     if (support.model == SupportModel::rigid) return {};
     const lanes::Real omega2 = omega * omega;
-    const lanes::Complex spring(lanes::broadcast(support.stiffness_n_per_m),
-                                support.stiffness_n_per_m * support.loss_factor + omega * support.damping_n_s_per_m);
+    lanes::Complex spring(lanes::broadcast(support.stiffness_n_per_m),
+                          support.stiffness_n_per_m * support.loss_factor + omega * support.damping_n_s_per_m);
+    if (!support.correction.empty()) spring = spring * support.correction.at(omega);
     lanes::Complex receptance = lanes::reciprocal(spring + (-omega2 * support.mass_kg));
     for (const SleeperMode& mode : support.bending_modes) {
         const double natural2 = two_pi * mode.frequency_hz * two_pi * mode.frequency_hz;

@@ -104,7 +104,9 @@ TEST_P(TrackCorrection, EqualsTheScaledParameter) {
         GetParam().correct(corrected);
         GetParam().reference(scaled);
         // Rounding times the conditions: 1e5 of the modal stiffness, cancelling waves in the change of the convected rail.
-        expect_equal(solve(corrected), solve(scaled), solve(plain), solve == exact ? 1e-12 : 1e-10);
+        // The quadrature of the convected change is as fine as the resonances that the stated laws have: a correction does not steer it,
+        // a loss factor does. Its own tolerance is 1e-5 of the receptance at rest (convected_rail.hpp).
+        expect_equal(solve(corrected), solve(scaled), solve(plain), solve == exact ? 1e-12 : solve == convected ? 1e-5 : 1e-10);
     }
 }
 
