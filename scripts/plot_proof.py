@@ -16,7 +16,7 @@ import numpy as np
 
 CONCEALED_DB = 0.3  # by eye nothing is wrong
 ENDS = ["nothing", "several", "ambiguous", "unexplained", "failed"]  # columns that are no effect stand last
-GOOD, PLACE, MISSED, WRONG = "#1b7837", "#5aae61", "#878787", "#b2182b"
+GOOD, PLACE, NAME, MISSED, WRONG = "#1b7837", "#4393c3", "#f4a582", "#878787", "#b2182b"
 
 
 def read_proof(folder):
@@ -73,7 +73,7 @@ def judged(row):
     if row["right_effect"] == "1" or (row["verdict"] == "ambiguous" and row["truth_returned"] == "1"):
         return "named (or among the rivals)", GOOD
     if row["right_place"] == "1":
-        return "right place only", PLACE
+        return ("right place only", PLACE) if row["verdict"] == "unexplained" else ("right place, wrong name", NAME)
     return "wrong", WRONG
 
 
@@ -121,15 +121,15 @@ def draw_detectability(score, rows):
         for row in effects[name]:
             label, colour = judged(row)
             share = (strengths[row["trial"]] - low) / (high - low) if high > low else 0.5
-            seen[label] = axes.scatter(share, level, color=colour, s=26)
+            seen[label] = axes.scatter(share, level, color=colour, s=26, zorder=3)
         ends = sorted((float(row["strength"]) for row in effects[name]), key=lambda v: strength_of(name, v))
         if name in inverted:
             ends.reverse()
         axes.annotate(f"{ends[0]:.3g}", (-0.03, level), ha="right", va="center", fontsize=7)
         axes.annotate(f"{ends[-1]:.3g}", (1.03, level), ha="left", va="center", fontsize=7)
     axes.set_yticks(range(len(names)), names, fontsize=8)
-    axes.set(xlim=(-0.22, 1.22), xticks=[], xlabel="weakest to strongest drawn, each on its own logarithmic scale", title="How strong an effect has to be")
-    axes.grid(axis="y", linewidth=0.3)
+    axes.set(xlim=(-0.4, 1.4), xticks=[], xlabel="weakest to strongest drawn, each on its own logarithmic scale", title="How strong an effect has to be")
+    axes.hlines(range(len(names)), 0.0, 1.0, color="lightgrey", linewidth=0.8)
     if seen:
         axes.legend(seen.values(), seen.keys(), fontsize=8, loc="upper left", bbox_to_anchor=(1.0, 1.0))
     return figure
