@@ -88,6 +88,7 @@ int run_verb(int argc, const char* const* argv) {
     add_inspect(program, run);
     add_diagnose(program, run);
     add_validate(program, run);
+    add_prove(program, run);
     add_describe(program, run);
     check_verb(program, argc, argv);
     try {

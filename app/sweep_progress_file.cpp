@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <cstring>
 
+#include "app/fingerprint.hpp"
 #include "app/input_error.hpp"
 #include "app/output_folder.hpp"
 
@@ -22,13 +23,6 @@ struct Header {
     std::uint64_t fingerprint;
     std::uint64_t rows;
 };
-
-/// FNV-1a, 64 bits: tells sweeps apart, no defence against malice.
-std::uint64_t fingerprint(const std::string& text) {
-    std::uint64_t hash = 0xcbf29ce484222325ULL;
-    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
-    return hash;
-}
 
 }  // namespace
 

@@ -2,8 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <atomic>
-#include <csignal>
 #include <memory>
 #include <set>
 
@@ -14,6 +12,7 @@
 #include "app/diagnosis_tables.hpp"
 #include "app/input_error.hpp"
 #include "app/inspection_beliefs.hpp"
+#include "app/interrupt_guard.hpp"
 #include "app/output_folder.hpp"
 #include "app/progress_bar.hpp"
 #include "app/verbs.hpp"
@@ -29,25 +28,6 @@ struct DiagnoseRequest {
     std::vector<std::string> recordings, set;
     double window_s = 4.0, held_out = 0.25;
     int threads = 0, most_effects = 3;
-};
-
-std::atomic<bool> interrupt_asked{false};
-
-/// Ctrl-C asks for an end with what is known; a second one ends at once.
-class InterruptGuard {
-  public:
-    InterruptGuard() {
-        interrupt_asked = false;
-        previous_ = std::signal(SIGINT, [](int) {
-            if (interrupt_asked.exchange(true)) std::_Exit(130);
-        });
-    }
-    InterruptGuard(const InterruptGuard&) = delete;
-    InterruptGuard& operator=(const InterruptGuard&) = delete;
-    ~InterruptGuard() { std::signal(SIGINT, previous_); }
-
-  private:
-    void (*previous_)(int) = SIG_DFL;
 };
 
 struct LoadedRecordings {
@@ -114,7 +94,7 @@ int diagnose(const DiagnoseRequest& request) {
     diagnosis::DiagnoseOptions options{.threads = request.threads};
     options.naming.most_effects = request.most_effects;
     options.progress = [&](const std::string&, double share) { bar.show(static_cast<std::size_t>(1000.0 * share), 1000); };
-    options.interrupted = [] { return interrupt_asked.load(); };
+    options.interrupted = InterruptGuard::asked;
     diagnosis::Diagnosis result = diagnosis::diagnose(believed, loaded.observations, options);
     for (std::size_t o = 0; o < result.recordings.size(); ++o) {
         result.recordings[o].faults = loaded.faults[o];

@@ -21,6 +21,7 @@ void add_receptance(CLI::App& program, Run& run);
 void add_compare(CLI::App& program, Run& run);
 void add_validate(CLI::App& program, Run& run);
 void add_diagnose(CLI::App& program, Run& run);
+void add_prove(CLI::App& program, Run& run);
 void add_describe(CLI::App& program, Run& run);
 
 }  // namespace railpem::app

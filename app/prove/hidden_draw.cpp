@@ -1,0 +1,88 @@
+#include "app/prove/hidden_draw.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "simulate/recording.hpp"
+
+namespace railpem::app {
+
+namespace {
+
+constexpr double kLeastLine_hz = 4.0, kMostLine_hz = 150.0;
+constexpr double kInverted = 0.1;  ///< share of wrong gains that are a sensor mounted the wrong way up
+
+double draw_value(const DrawnParameter& parameter, const std::map<std::string, double>& others, DrawStream& stream) {
+    double x = parameter.spacing == DrawSpacing::whole ? parameter.low + static_cast<double>(stream.index(static_cast<std::size_t>(parameter.high - parameter.low) + 1))
+               : parameter.spacing == DrawSpacing::logarithmic ? stream.logarithmic(parameter.low, parameter.high)
+                                                               : stream.uniform(parameter.low, parameter.high);
+    if (!parameter.scaled_by.empty()) x *= std::pow(others.at(parameter.scaled_by), parameter.power);
+    if (parameter.mirror == DrawMirror::sign && stream.chance(0.5)) x = -x;
+    if (parameter.mirror == DrawMirror::inverse && stream.chance(0.5)) x = 1.0 / x;
+    return parameter.offset + x;
+}
+
+std::map<std::string, double> draw_values(const EffectDraw& draw, DrawStream& stream) {
+    std::map<std::string, double> values;
+    for (const DrawnParameter& parameter : draw.parameters) values[parameter.name] = draw_value(parameter, values, stream);
+    if (draw.id == "sensor-gain" && stream.chance(kInverted)) values["gain"] = -1.0;
+    return values;
+}
+
+std::map<std::string, std::string> draw_texts(const std::string& id, const diagnosis::BelievedCase& believed, DrawStream& stream) {
+    std::map<std::string, std::string> texts;
+    for (const simulate::HiddenEffect& effect : simulate::hidden_effects()) {
+        if (effect.id != id) continue;
+        for (const simulate::HiddenParameter& parameter : effect.parameters) {
+            if (!parameter.is_text) continue;
+            if (parameter.name == "channel") texts["channel"] = simulate::channel_names()[stream.index(simulate::channel_names().size())];
+            if (parameter.name == "stage") texts["stage"] = stream.chance(0.5) ? "primary" : "secondary";
+            if (parameter.name == "parameter") texts["parameter"] = believed.uncertain[stream.index(believed.uncertain.size())].key;
+        }
+    }
+    return texts;
+}
+
+/// Whether what is periodic shows somewhere in the band.
+bool shows(const std::string& id, const std::map<std::string, double>& values, const CaseFile& file, const std::vector<TrialRecord>& records) {
+    double wavelength = 0.0;
+    if (id == "wheel-out-of-roundness") wavelength = 2.0 * std::numbers::pi * file.parameters.vehicle.wheel_radius_m / values.at("order");
+    if (id == "rail-corrugation") wavelength = values.at("wavelength_m");
+    if (wavelength == 0.0) return true;
+    return std::any_of(records.begin(), records.end(), [&](const TrialRecord& record) {
+        const double line = record.speed_m_per_s / wavelength;
+        return line >= kLeastLine_hz && line <= kMostLine_hz;
+    });
+}
+
+const EffectDraw& choose_draw(const std::string& id, DrawStream& stream) {
+    std::vector<const EffectDraw*> found;
+    for (const std::vector<EffectDraw>* list : {&physics_draws(), &sensor_draws(), &outside_draws()})
+        for (const EffectDraw& draw : *list)
+            if (draw.id == id) found.push_back(&draw);
+    return found.empty() ? parameter_error_draw() : *found[stream.index(found.size())];
+}
+
+}  // namespace
+
+simulate::Hidden draw_effect(const std::string& id, const CaseFile& file, const diagnosis::BelievedCase& believed,
+                             const std::vector<TrialRecord>& records, DrawStream& stream) {
+    const EffectDraw& draw = choose_draw(id, stream);
+    std::map<std::string, double> values;
+    do values = draw_values(draw, stream);
+    while (!shows(id, values, file, records));
+    std::string text = id;
+    char separator = ':';
+    const auto add = [&](const std::string& name, const std::string& value) {
+        text += fmt::format("{}{}={}", separator, name, value);
+        separator = ',';
+    };
+    for (const auto& [name, value] : draw_texts(id, believed, stream)) add(name, value);
+    for (const auto& [name, value] : values) add(name, fmt::format("{:.17g}", value));
+    return simulate::parse_hidden(text);
+}
+
+}  // namespace railpem::app
