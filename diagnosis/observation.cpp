@@ -23,21 +23,11 @@ MeasuredSpectra kept(const recordings::CrossSpectra& spectra, const std::vector<
     const std::size_t size = channels.size();
     measured.averages = spectra.averages_per_bin;
     measured.values.reserve(count * size * size);
-    Eigen::MatrixXcd matrix(static_cast<long>(size), static_cast<long>(size));
-    const bool enough = spectra.averages >= static_cast<double>(size);
-    for (std::size_t bin = first; bin < first + count; ++bin) {
+    for (std::size_t bin = first; bin < first + count; ++bin)
         for (std::size_t column = 0; column < size; ++column)
-            for (std::size_t row = 0; row < size; ++row) {
+            for (std::size_t row = 0; row < size; ++row)
                 measured.values.push_back(spectra.at(bin, channels[row].channel, channels[column].channel));
-                matrix(static_cast<long>(row), static_cast<long>(column)) = measured.values.back();
-            }
-        double sum = 0.0;
-        if (enough) {
-            const Eigen::LLT<Eigen::MatrixXcd> factor(matrix);
-            for (long i = 0; i < matrix.rows(); ++i) sum += 2.0 * std::log(factor.matrixLLT()(i, i).real());
-        }
-        measured.log_determinant.push_back(std::isfinite(sum) ? sum : 0.0);
-    }
+    set_log_determinants(measured, size, spectra.averages);
     return measured;
 }
 
@@ -65,6 +55,42 @@ std::size_t Observation::first_bin() const {
     return static_cast<std::size_t>(std::ceil(expectation.low_hz / kernel.bin_hz()));
 }
 
+std::size_t band_bins(const Observation& observation) {
+    const double count = std::floor(observation.expectation.high_hz / observation.kernel.bin_hz()) -
+                         std::ceil(observation.expectation.low_hz / observation.kernel.bin_hz()) + 1.0;
+    return count > 0.0 ? static_cast<std::size_t>(count) : 0;
+}
+
+void set_band(Observation& observation, const recordings::WindowKernel& kernel, const pem::CaseParameters& believed,
+              const ObservationOptions& options) {
+    observation.kernel = kernel;
+    observation.expectation.weights = expectation_weights(kernel, observation.expectation.oversampling);
+    const auto [longest, shortest] = wavelengths(believed.irregularity);
+    const double v = observation.speed_m_per_s;
+    observation.expectation.low_hz = std::max(options.low_hz, v / longest / kEdge);
+    observation.expectation.high_hz = std::min({options.high_hz, kEdge * v / shortest, 0.4 * kernel.sampling_rate_hz});
+    observation.expectation.threads = 1;  // many evaluations run side by side
+    if (band_bins(observation) < kFewestBins)
+        throw parameters::ParameterError(
+            "speed_m_per_s", fmt::format("at {:g} m/s no usable band is left between {:.3g} and {:.3g} Hz", v,
+                                         observation.expectation.low_hz, observation.expectation.high_hz),
+            "a speed at which the irregularity of the case excites the band of the recording");
+}
+
+void set_log_determinants(MeasuredSpectra& measured, std::size_t channels, double averages) {
+    const long size = static_cast<long>(channels);
+    const std::size_t bins = measured.values.size() / (channels * channels);
+    measured.log_determinant.assign(bins, 0.0);
+    if (averages < static_cast<double>(channels)) return;
+    for (std::size_t bin = 0; bin < bins; ++bin) {
+        const Eigen::Map<const Eigen::MatrixXcd> matrix(&measured.values[bin * channels * channels], size, size);
+        const Eigen::LLT<Eigen::MatrixXcd> factor(matrix);
+        double sum = 0.0;
+        for (long i = 0; i < size; ++i) sum += 2.0 * std::log(factor.matrixLLT()(i, i).real());
+        if (std::isfinite(sum)) measured.log_determinant[bin] = sum;
+    }
+}
+
 Observation observe(const recordings::Recording& recording, const std::string& name,
                     const pem::CaseParameters& believed, const ObservationOptions& options) {
     Observation observation{.name = name};
@@ -81,21 +107,8 @@ Observation observe(const recordings::Recording& recording, const std::string& n
     if (observation.channels.empty())
         throw parameters::ParameterError("channel", "none of the channels is a response that the case has",
                                          "channels on body centre, body over the pivots, bogies, wheels or rail");
-    observation.kernel = all.kernel();
-    observation.expectation.weights = expectation_weights(observation.kernel, observation.expectation.oversampling);
-    const auto [longest, shortest] = wavelengths(believed.irregularity);
-    const double v = observation.speed_m_per_s;
-    observation.expectation.low_hz = std::max(options.low_hz, v / longest / kEdge);
-    observation.expectation.high_hz = std::min({options.high_hz, kEdge * v / shortest, 0.4 * series.sampling_rate_hz});
-    observation.expectation.threads = 1;  // many evaluations run side by side
-    const double bin = observation.kernel.bin_hz();
-    const double count = std::floor(observation.expectation.high_hz / bin) - std::ceil(observation.expectation.low_hz / bin) + 1.0;
-    if (count < static_cast<double>(kFewestBins))
-        throw parameters::ParameterError(
-            "speed_m_per_s", fmt::format("at {:g} m/s no usable band is left between {:.3g} and {:.3g} Hz", v,
-                                         observation.expectation.low_hz, observation.expectation.high_hz),
-            "a speed at which the irregularity of the case excites the band of the recording");
-    const std::size_t bins = static_cast<std::size_t>(count);
+    set_band(observation, all.kernel(), believed, options);
+    const std::size_t bins = band_bins(observation);
     const auto part = [&](double from, double to) {
         recordings::SegmentOptions own = segments;
         own.from_s = from;

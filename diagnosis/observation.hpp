@@ -48,6 +48,18 @@ struct ObservationOptions {
     double held_out_share = 0.25;   ///< of the end of the record, seen by no fit
 };
 
+/// Kernel and band of an observation at its speed: what the options ask for, cut to where the believed irregularity excites.
+/// Throws parameters::ParameterError when no usable band is left.
+void set_band(Observation& observation, const recordings::WindowKernel& kernel, const pem::CaseParameters& believed,
+              const ObservationOptions& options);
+
+/// Bins of the band that set_band() has set.
+std::size_t band_bins(const Observation& observation);
+
+/// log det of every matrix of `values`; 0 everywhere when `averages`, the independent ones of a single bin, are fewer than
+/// the channels and the matrices are singular.
+void set_log_determinants(MeasuredSpectra& measured, std::size_t channels, double averages);
+
 /// Prepares a time series. The band is cut to where the believed irregularity excites at this speed.
 /// Throws parameters::ParameterError when no channel is one that the case has, or no usable band is left.
 Observation observe(const recordings::Recording& recording, const std::string& name,

@@ -1,0 +1,109 @@
+#include "diagnosis/synthesis.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "parameters/parameter_error.hpp"
+#include "pem/solution.hpp"
+#include "recordings/averages.hpp"
+
+namespace railpem::diagnosis {
+
+namespace {
+
+constexpr double kSamplingRate_hz = 1000.0;
+constexpr double kSensorNoise_m_per_s2 = 0.02;  ///< rms up to half the sampling rate
+constexpr double kSpeedTolerance = 0.005;
+
+/// Averages of a part of `seconds`.
+MeasuredSpectra empty_part(double seconds, const ObservationOptions& options, std::size_t bins) {
+    const recordings::SegmentOptions segments{.window_s = options.window_s};
+    const auto samples = static_cast<std::size_t>(seconds * kSamplingRate_hz);
+    const recordings::Segmentation own = recordings::segmentation_of(segments, kSamplingRate_hz, samples);
+    if (own.count == 0)
+        throw parameters::ParameterError("window_s", "a part of the record is shorter than one window", "a shorter window or a longer record");
+    return {.values = {}, .log_determinant = std::vector<double>(bins, 0.0), .averages = recordings::averages_per_bin(own), .seconds = seconds};
+}
+
+/// Standard complex Gaussian numbers, E|z|² = 1 (Box & Muller 1958; the same on every machine).
+class ComplexNormal {
+  public:
+    explicit ComplexNormal(std::initializer_list<std::uint32_t> words) {
+        std::seed_seq seed(words);
+        random_.seed(seed);
+    }
+    std::complex<double> operator()() {
+        const double radius = std::sqrt(-std::log1p(-unit()));
+        return std::polar(radius, 2.0 * std::numbers::pi * unit());
+    }
+
+  private:
+    double unit() { return static_cast<double>(random_() >> 11) * 0x1.0p-53; }
+    std::mt19937_64 random_;
+};
+
+/// Draws all bins of a part about the lower Cholesky factors of their expectations.
+void draw(const std::vector<Eigen::MatrixXcd>& factors, ComplexNormal& normal, MeasuredSpectra& part) {
+    const long freedom = std::max(1L, std::lround(part.averages)), size = factors.front().rows();
+    part.averages = static_cast<double>(freedom);
+    part.values.clear();
+    Eigen::MatrixXcd white(size, freedom);
+    for (const Eigen::MatrixXcd& factor : factors) {
+        for (long i = 0; i < white.size(); ++i) white.data()[i] = normal();
+        const Eigen::MatrixXcd vectors = factor.triangularView<Eigen::Lower>() * white;
+        const Eigen::MatrixXcd matrix = vectors * vectors.adjoint() / static_cast<double>(freedom);
+        part.values.insert(part.values.end(), matrix.data(), matrix.data() + matrix.size());
+    }
+    set_log_determinants(part, static_cast<std::size_t>(size), part.averages);
+}
+
+MeasuredSpectra mean_of(const MeasuredSpectra& first, const MeasuredSpectra& second, std::size_t channels) {
+    MeasuredSpectra mean{.values = first.values, .log_determinant = {}, .averages = first.averages + second.averages,
+                         .seconds = first.seconds + second.seconds};
+    const double share = first.averages / mean.averages;
+    for (std::size_t i = 0; i < mean.values.size(); ++i) mean.values[i] = share * first.values[i] + (1.0 - share) * second.values[i];
+    set_log_determinants(mean, channels, mean.averages);
+    return mean;
+}
+
+}  // namespace
+
+Observation observation_shape(double speed_m_per_s, double payload_kg, double seconds, const std::vector<std::string>& responses,
+                              const pem::CaseParameters& believed, const ObservationOptions& options) {
+    Observation shape{.name = "synthesised", .speed_m_per_s = speed_m_per_s, .speed_tolerance = kSpeedTolerance, .payload_kg = payload_kg};
+    for (const std::string& response : responses) {
+        shape.channels.push_back({shape.channels.size(), pem::response_index(response)});
+        shape.channel_names.push_back(response);
+    }
+    shape.unknown_scale.assign(responses.size(), false);
+    shape.noise_psd.assign(responses.size(), kSensorNoise_m_per_s2 * kSensorNoise_m_per_s2 / (0.5 * kSamplingRate_hz));
+    const recordings::SegmentOptions segments{.window_s = options.window_s};
+    const recordings::Segmentation cut = recordings::segmentation_of(segments, kSamplingRate_hz, 0);
+    set_band(shape, {cut.window, cut.length, kSamplingRate_hz}, believed, options);
+    const std::size_t bins = band_bins(shape);
+    shape.fitted = empty_part(seconds * (1.0 - options.held_out_share), options, bins);
+    shape.held_out = empty_part(seconds * options.held_out_share, options, bins);
+    shape.all = empty_part(seconds, options, bins);
+    return shape;
+}
+
+Observation synthesise(const Observation& shape, std::size_t index, const Trial& truth, const BelievedCase& believed, std::uint64_t seed) {
+    const ExpectedSpectra expected = expected_spectra(case_of(truth, believed, shape), truth.speed_m_per_s[index], shape.kernel,
+                                                      shape.channels, {}, shape.expectation);
+    Trial sound = truth;
+    std::fill(sound.floor.begin(), sound.floor.end(), 0.0);
+    std::vector<Eigen::MatrixXcd> factors;
+    for (std::size_t bin = 0; bin < expected.bins(); ++bin)
+        factors.push_back(complete_prediction(sound, shape, index, expected, bin).llt().matrixL());
+    Observation drawn = shape;
+    ComplexNormal normal({static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32), static_cast<std::uint32_t>(index)});
+    draw(factors, normal, drawn.fitted);
+    draw(factors, normal, drawn.held_out);
+    drawn.all = mean_of(drawn.fitted, drawn.held_out, shape.channels.size());
+    return drawn;
+}
+
+}  // namespace railpem::diagnosis

@@ -1,0 +1,90 @@
+// Fits of drawn recordings: what comes back, and whether intervals keep their promise.
+
+#include "diagnosis/fit.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "tests/unit/diagnosis/synthesised_fixture.hpp"
+
+namespace railpem::diagnosis {
+namespace {
+
+constexpr double kNinety = 1.6449;
+const ObservationOptions kSmall{.window_s = 1.0, .low_hz = 4.0, .high_hz = 40.0};
+
+Synthesised small() {
+    return synthesised(paper_believed({"vehicle.primary.stiffness_n_per_m", "vehicle.primary.damping_n_s_per_m", "vehicle.bogie_mass_kg"}), {20.0},
+                       60.0, {"bogie_1", "wheel_1"}, kSmall);
+}
+
+/// Unknowns without floor: the draws have none.
+std::vector<Unknown> unknowns_of(const Synthesised& made) {
+    std::vector<Unknown> unknowns = nuisance_unknowns(made.believed, made.observations);
+    std::erase_if(unknowns, [](const Unknown& unknown) { return unknown.kind == UnknownKind::floor; });
+    return unknowns;
+}
+
+TEST(Fit, ParametersOfANullComeBack) {
+    Synthesised made = small();
+    made.observations = made.shapes;
+    const std::vector<Unknown> unknowns = unknowns_of(made);
+    std::vector<double> truth = means(unknowns);
+    for (std::size_t i = 0; i < unknowns.size(); ++i) truth[i] += (i % 2 ? 0.8 : -0.8) * unknowns[i].deviation;
+    set_values(made.truth, unknowns, truth);
+    made.draw(11);
+    const Fit found = fit(believed_trial(made.believed, made.observations), unknowns, means(unknowns), made.context());
+    EXPECT_TRUE(found.converged);
+    for (std::size_t i = 0; i < unknowns.size(); ++i) {
+        // Some 20 values: beyond 4 deviations once in a thousand draws.
+        EXPECT_LE(std::abs(found.values[i] - truth[i]), 4.0 * found.deviation(i)) << unknowns[i].name;
+        EXPECT_LT(found.deviation(i), unknowns[i].deviation) << unknowns[i].name << " learnt nothing";
+    }
+    // Per bin a Wishart estimate of n averages of p channels lies −p² below the saturated model on average over twice … of 2:
+    // −Σ n[…] is half of χ² with p² degrees of freedom to leading order, so L ≈ −½p²·bins, give or take √(p²·bins/2).
+    const double freedom = 4.0 * static_cast<double>(made.observations[0].bins());
+    EXPECT_NEAR(found.log_likelihood, -0.5 * freedom, 5.0 * std::sqrt(0.5 * freedom) + 0.05 * freedom);
+}
+
+// Truths drawn from the beliefs, recordings drawn from the truths: a 90 % interval of the posterior then covers in 90 % of the cases,
+// however informative the recordings are. 60 nulls; the values of one null hang together, so each is judged by itself with a binomial
+// bound (54 of 60 expected, standard deviation 2.3; 44 is fallen below once in 20000 tries) and all together with the same per null
+// (mean share of the null covered, whose scatter over the nulls is measured).
+TEST(Fit, IntervalsCover) {
+    constexpr int kNulls = 60;
+    Synthesised made = small();
+    made.observations = made.shapes;
+    const std::vector<Unknown> unknowns = unknowns_of(made);
+    std::vector<int> covered(unknowns.size(), 0);
+    std::vector<double> shares;
+    std::mt19937_64 random(7);
+    std::normal_distribution<double> normal;
+    for (int null = 0; null < kNulls; ++null) {
+        std::vector<double> truth;
+        for (const Unknown& unknown : unknowns) truth.push_back(unknown.mean + unknown.deviation * normal(random));
+        made.truth = believed_trial(made.believed, made.shapes);
+        set_values(made.truth, unknowns, truth);
+        made.draw(100 + static_cast<std::uint64_t>(null));
+        const Fit found = fit(believed_trial(made.believed, made.observations), unknowns, means(unknowns), made.context());
+        int own = 0;
+        for (std::size_t i = 0; i < unknowns.size(); ++i) {
+            const bool in = std::abs(found.values[i] - truth[i]) <= kNinety * found.deviation(i);
+            covered[i] += in ? 1 : 0;
+            own += in ? 1 : 0;
+        }
+        shares.push_back(static_cast<double>(own) / static_cast<double>(unknowns.size()));
+    }
+    double mean = 0.0, square = 0.0;
+    for (const double share : shares) mean += share / kNulls;
+    for (const double share : shares) square += (share - mean) * (share - mean) / (kNulls - 1);
+    std::printf("90 %% intervals cover %.3f ± %.3f over %zu values of %d nulls\n", mean, std::sqrt(square / kNulls), unknowns.size(), kNulls);
+    for (std::size_t i = 0; i < unknowns.size(); ++i) {
+        std::printf("  %2d of %d: %s\n", covered[i], kNulls, unknowns[i].name.c_str());
+        EXPECT_GE(covered[i], 44) << unknowns[i].name;
+    }
+    EXPECT_NEAR(mean, 0.9, 3.5 * std::sqrt(square / kNulls));
+}
+
+}  // namespace
+}  // namespace railpem::diagnosis

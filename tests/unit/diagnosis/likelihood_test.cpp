@@ -1,0 +1,184 @@
+// The Wishart log-likelihood against closed forms, its slope against differences and against draws.
+
+#include "diagnosis/likelihood.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+
+#include "diagnosis/fit.hpp"
+#include "tests/unit/diagnosis/synthesised_fixture.hpp"
+
+namespace railpem::diagnosis {
+namespace {
+
+constexpr double kSpeed = 80.0 / 3.6;
+const ObservationOptions kSmall{.window_s = 1.0, .low_hz = 4.0, .high_hz = 40.0};
+
+Synthesised small(const std::vector<std::string>& responses) {
+    return synthesised(paper_believed({"vehicle.bogie_mass_kg", "vehicle.primary.stiffness_n_per_m", "vehicle.primary.damping_n_s_per_m",
+                                       "track.pads.static_stiffness_n_per_m"}),
+                       {kSpeed}, 60.0, responses, kSmall);
+}
+
+/// Something that is not the truth, with floor.
+Trial another(const Synthesised& made) {
+    Trial trial = believed_trial(made.believed, made.observations);
+    number_at(trial.numbers, "vehicle.primary.stiffness_n_per_m") *= 1.05;
+    trial.floor.assign(trial.floor.size(), 0.03);
+    return trial;
+}
+
+// One channel: n[ln Ŝ/S + 1 − Ŝ/S] summed, the gamma distribution's.
+TEST(LogLikelihood, OneChannelIsGamma) {
+    Synthesised made = small({"bogie_1"});
+    made.draw(1);
+    const Trial trial = another(made);
+    const Predictions predictions = predict(trial, made.context());
+    double sum = 0.0;
+    const Observation& observation = made.observations[0];
+    for (std::size_t bin = 0; bin < observation.bins(); ++bin) {
+        const double model = predictions[0].values[bin].real() * (1.0 + 0.03 * 0.03) + trial.noise_psd[0][0];
+        const double ratio = observation.fitted.values[bin].real() / model;
+        sum += observation.fitted.averages * (std::log(ratio) + 1.0 - ratio);
+    }
+    EXPECT_LT(sum, -10.0);
+    EXPECT_NEAR(log_likelihood(trial, predictions, made.context()), sum, 1e-9 * std::abs(sum));
+}
+
+// Two channels: determinant and trace written out.
+TEST(LogLikelihood, TwoChannelsWrittenOut) {
+    Synthesised made = small({"bogie_1", "wheel_2"});
+    made.draw(2);
+    const Trial trial = another(made);
+    const Predictions predictions = predict(trial, made.context());
+    const Observation& observation = made.observations[0];
+    double sum = 0.0;
+    for (std::size_t bin = 0; bin < observation.bins(); ++bin) {
+        const auto* p = &predictions[0].values[4 * bin];
+        const auto* e = &observation.fitted.values[4 * bin];
+        const double a = p[0].real() * 1.0009 + trial.noise_psd[0][0], d = p[3].real() * 1.0009 + trial.noise_psd[0][1];
+        const std::complex<double> c = p[1];  // row 2, column 1
+        const double det = a * d - std::norm(c), own = e[0].real() * e[3].real() - std::norm(e[1]);
+        const double trace = (d * e[0].real() + a * e[3].real() - 2.0 * std::real(std::conj(c) * e[1])) / det;
+        sum -= observation.fitted.averages * (std::log(det) - std::log(own) + trace - 2.0);
+    }
+    EXPECT_LT(sum, -10.0);
+    EXPECT_NEAR(log_likelihood(trial, predictions, made.context()), sum, 1e-8 * std::abs(sum));
+}
+
+TEST(LogLikelihood, SaturatedIsZeroAndNothingIsAbove) {
+    Synthesised made = small({"bogie_1", "wheel_2"});
+    made.draw(3);
+    Trial trial = another(made);
+    std::fill(trial.floor.begin(), trial.floor.end(), 0.0);
+    const Predictions predictions = predict(trial, made.context());
+    EXPECT_LT(log_likelihood(trial, predictions, made.context()), 0.0);
+    Observation& observation = made.observations[0];
+    observation.fitted.values.clear();
+    for (std::size_t bin = 0; bin < observation.bins(); ++bin) {
+        const Eigen::MatrixXcd model = complete_prediction(trial, observation, 0, predictions[0], bin);
+        observation.fitted.values.insert(observation.fitted.values.end(), model.data(), model.data() + 4);
+    }
+    set_log_determinants(observation.fitted, 2, 60.0);
+    // 37 bins · n ≈ 22 · rounding of det and trace at a condition number of some 1e4
+    EXPECT_NEAR(log_likelihood(trial, predictions, made.context()), 0.0, 1e-8);
+}
+
+/// What the slope is about: the unknowns of retuning, moved off their means.
+struct Point {
+    std::vector<Unknown> unknowns;
+    std::vector<double> values;
+    Trial trial;
+    Predictions predictions;
+};
+
+Point point_of(const Synthesised& made, const LikelihoodContext& context, double away) {
+    Point point{.unknowns = nuisance_unknowns(made.believed, made.observations)};
+    point.values = means(point.unknowns);
+    for (std::size_t i = 0; i < point.values.size(); ++i)
+        if (point.unknowns[i].kind != UnknownKind::floor) point.values[i] += away * point.unknowns[i].deviation * (i % 2 ? 1.0 : -1.0);
+        else point.values[i] += 4.0;  // a floor of 3 %, or nothing would depend on it
+    point.trial = believed_trial(made.believed, made.observations);
+    set_values(point.trial, point.unknowns, point.values);
+    point.predictions = predict(point.trial, context);
+    return point;
+}
+
+// Central differences of the log-likelihood. Their own error: third derivative times h²/6 and rounding ε·|L|/h; 1e-3 of the gradient's
+// natural size √F covers both, and what a one-sided derivative of the predictions adds.
+TEST(LikelihoodSlope, GradientIsTheDerivative) {
+    Synthesised made = small({"body", "bogie_1", "wheel_2"});
+    made.draw(4);
+    const LikelihoodContext context = made.context();
+    const Point point = point_of(made, context, 0.2);
+    const LikelihoodSlope slope = likelihood_slope(
+        point.trial, point.unknowns, point.predictions, differentiate(point.trial, point.unknowns, point.values, point.predictions, context), context);
+    EXPECT_NEAR(slope.log_likelihood, log_likelihood(point.trial, point.predictions, context), 1e-9 * std::abs(slope.log_likelihood));
+    for (std::size_t i = 0; i < point.unknowns.size(); ++i) {
+        const double natural = std::sqrt(slope.information(static_cast<long>(i), static_cast<long>(i)));
+        if (natural == 0.0) continue;
+        const double h = std::min(1e-3 / natural, 1e-3 * point.unknowns[i].deviation);
+        const auto at = [&](double x) {
+            Trial trial = point.trial;
+            point.unknowns[i].set(trial, point.values[i] + x);
+            return log_likelihood(trial, predict(trial, context), context);
+        };
+        EXPECT_NEAR(slope.gradient(static_cast<long>(i)), (at(h) - at(-h)) / (2.0 * h),
+                    1e-3 * (natural + std::abs(slope.gradient(static_cast<long>(i)))))
+            << point.unknowns[i].name;
+    }
+}
+
+// At the truth the score has mean 0 and the Fisher information as covariance. 400 draws: a whitened variance estimate has standard error
+// √(2/400) = 7 %, a mean 5 %. The mean square of many whitened components is far better determined; single ones get 5 standard errors.
+TEST(LikelihoodSlope, InformationIsTheCovarianceOfScores) {
+    Synthesised made = small({"body", "bogie_1", "wheel_2"});
+    made.draw(5);
+    const LikelihoodContext context = made.context();
+    Point point = point_of(made, context, 0.0);
+    std::fill(point.trial.floor.begin(), point.trial.floor.end(), 0.0);
+    std::erase_if(point.unknowns, [](const Unknown& unknown) { return unknown.kind == UnknownKind::floor; });
+    point.values.resize(point.unknowns.size());
+    made.truth = point.trial;
+    const auto derivatives = differentiate(point.trial, point.unknowns, point.values, point.predictions, context);
+    constexpr int kDraws = 400;
+    const long size = static_cast<long>(point.unknowns.size());
+    Eigen::MatrixXd scores(size, kDraws), information;
+    for (int draw = 0; draw < kDraws; ++draw) {
+        made.draw(1000 + static_cast<std::uint64_t>(draw));
+        const LikelihoodSlope slope = likelihood_slope(point.trial, point.unknowns, point.predictions, derivatives, context);
+        scores.col(draw) = slope.gradient;
+        information = slope.information;
+    }
+    const Eigen::VectorXd scale = information.diagonal().cwiseSqrt().cwiseInverse();
+    const Eigen::MatrixXd whitened = scale.asDiagonal() * scores;
+    const Eigen::MatrixXd covariance = whitened * whitened.transpose() / kDraws;
+    const Eigen::MatrixXd expected = scale.asDiagonal() * information * scale.asDiagonal();
+    for (long i = 0; i < size; ++i) {
+        EXPECT_NEAR(whitened.row(i).mean(), 0.0, 5.0 / std::sqrt(kDraws)) << point.unknowns[static_cast<std::size_t>(i)].name;
+        for (long j = 0; j <= i; ++j) EXPECT_NEAR(covariance(i, j), expected(i, j), 5.0 * std::sqrt(2.0 / kDraws)) << i << " " << j;
+    }
+    EXPECT_NEAR(covariance.trace() / static_cast<double>(size), 1.0, 0.1);
+}
+
+TEST(LikelihoodSlope, SameBitsForAnyNumberOfThreads) {
+    Synthesised made = small({"body", "bogie_1", "wheel_2"});
+    made.draw(6);
+    std::vector<LikelihoodSlope> slopes;
+    std::vector<double> values;
+    for (const int threads : {1, 2}) {
+        const LikelihoodContext context = made.context(Part::fitted, threads);
+        const Point point = point_of(made, context, 0.2);
+        slopes.push_back(likelihood_slope(point.trial, point.unknowns, point.predictions,
+                                          differentiate(point.trial, point.unknowns, point.values, point.predictions, context), context));
+        values.push_back(log_likelihood(point.trial, point.predictions, context));
+    }
+    EXPECT_EQ(values[0], values[1]);
+    EXPECT_EQ(slopes[0].log_likelihood, slopes[1].log_likelihood);
+    EXPECT_EQ(slopes[0].gradient, slopes[1].gradient);
+    EXPECT_EQ(slopes[0].information, slopes[1].information);
+}
+
+}  // namespace
+}  // namespace railpem::diagnosis
