@@ -16,7 +16,7 @@
 namespace railpem::diagnosis {
 
 namespace {
-constexpr int kReachBins = 8;  ///< of the kernel; a Hann window leaves 1e-8 outside
+constexpr int kReachBins = 6;  ///< of the kernel; a Hann window leaves 5e-8 outside
 }
 
 recordings::KernelWeights expectation_weights(const recordings::WindowKernel& kernel, int oversampling) {

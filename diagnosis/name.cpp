@@ -31,13 +31,15 @@ double start_of(const Unknown& unknown, const Fit& near) {
     return near.find(unknown.name, &index) ? near.values[index] : unknown.mean;
 }
 
+constexpr double kLeastShare = 0.04;  ///< of the best promise; what is weaker waits for the next round
+
 /// What is worth a refit: per variant the two best starting points, few variants per effect.
 std::vector<Candidate> worth_refitting(const std::vector<Promise>& promises, const std::vector<Candidate>& candidates, double least, int most) {
     constexpr int kVariantsPerEffect = 2;
     std::map<std::string, int> of_effect, of_variant;
     std::vector<Candidate> chosen;
     for (const Promise& promise : promises) {
-        if (promise.gain < least || static_cast<int>(chosen.size()) >= most) break;
+        if (promise.gain < least || promise.gain < kLeastShare * promises.front().gain || static_cast<int>(chosen.size()) >= most) break;
         const EffectInstance& instance = candidates[promise.candidate].instance;
         if (of_variant[label_of(instance)]++ > 0) continue;
         if (of_effect[instance.effect]++ >= kVariantsPerEffect) continue;

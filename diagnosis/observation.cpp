@@ -16,6 +16,7 @@ namespace {
 constexpr double kDefaultSpeedTolerance = 0.005;  ///< of a stated speed without a standard error
 constexpr double kEdge = 0.9;  ///< the band ends this much inside of what the irregularity excites
 constexpr std::size_t kFewestBins = 20;
+constexpr int kOversampling = 3;  ///< the kernel repeats after 12 s: beyond its own 4 s and every wheel delay
 
 MeasuredSpectra kept(const recordings::CrossSpectra& spectra, const std::vector<ObservedChannel>& channels,
                      std::size_t first, std::size_t count) {
@@ -69,6 +70,8 @@ void set_band(Observation& observation, const recordings::WindowKernel& kernel, 
     const double v = observation.speed_m_per_s;
     observation.expectation.low_hz = std::max(options.low_hz, v / longest / kEdge);
     observation.expectation.high_hz = std::min({options.high_hz, kEdge * v / shortest, 0.4 * kernel.sampling_rate_hz});
+    observation.expectation.oversampling = kOversampling;
+    observation.expectation.weights = expectation_weights(observation.kernel, kOversampling);
     observation.expectation.threads = 1;  // many evaluations run side by side
     if (band_bins(observation) < kFewestBins)
         throw parameters::ParameterError(

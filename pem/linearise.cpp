@@ -21,7 +21,7 @@ constexpr double kSmallestVelocity = 1e-9;  ///< m/s; keeps the equivalent dampi
 /// E[max(δ̄ + σξ, 0)^p] for standard Gaussian ξ, by the midpoint rule in ξ over ±9.
 template <class Function>
 double gaussian_mean(Function&& value) {
-    constexpr int kPoints = 4000;
+    constexpr int kPoints = 800;
     double sum = 0.0;
     for (int i = 0; i < kPoints; ++i) {
         const double xi = -9.0 + 18.0 * (i + 0.5) / kPoints;
@@ -36,30 +36,49 @@ struct MeanSquares {
     std::array<double, 2> secondary_velocity{};
 };
 
-MeanSquares mean_squares(const CaseParameters& parameters, const std::vector<Source>& sources, const CoupledModel& model) {
+/// What stays the same while the laws are iterated: rail and excitation of every group of lines.
+struct UnchangedGroup {
+    RailGroup rail;
+    std::vector<WheelVector> irregularity;  ///< per source
+    int count = 0;                          ///< lanes that are lines
+    double step_hz = 0.0;
+};
+
+std::vector<UnchangedGroup> unchanged_groups(const CaseParameters& parameters, const std::vector<Source>& sources, const CoupledModel& model) {
     const FrequencyParameters& grid = parameters.frequency;
     const int lines = std::max(2, std::min(kMostLines, static_cast<int>((grid.to_hz - grid.from_hz) / grid.step_hz) + 1));
     const double step = (grid.to_hz - grid.from_hz) / (lines - 1);
-    MeanSquares sums;
+    std::vector<UnchangedGroup> groups;
     CoupledWorkspace workspace(model);
     for (int first = 0; first < lines; first += lanes::width) {
         LineGroup group{.step_hz = step};
         for (int lane = 0; lane < lanes::width; ++lane) group.omega[lane] = kTwoPi * (grid.from_hz + std::min(first + lane, lines - 1) * step);
-        const GroupSolution& solution = solve_group(model, group.omega, workspace);
-        const int count = std::min(lanes::width, lines - first);
-        const lanes::Real softening = 1.0 / lanes::norm(model.contact_correction.at(group.omega));
-        for (const Source& source : sources) {
-            const WheelVector force = contact_forces(solution, source.amplitude(group));
+        UnchangedGroup own{.rail = rail_group(model, group.omega, workspace), .irregularity = {}, .count = std::min(lanes::width, lines - first), .step_hz = step};
+        for (const Source& source : sources) own.irregularity.push_back(source.amplitude(group));
+        groups.push_back(std::move(own));
+    }
+    return groups;
+}
+
+MeanSquares mean_squares(const std::vector<UnchangedGroup>& groups, const CoupledModel& model) {
+    MeanSquares sums;
+    CoupledWorkspace workspace(model);
+    for (const UnchangedGroup& group : groups) {
+        const lanes::Real omega = group.rail.omega;
+        const GroupSolution& solution = solve_group(model, group.rail, workspace);
+        const lanes::Real softening = 1.0 / lanes::norm(model.contact_correction.at(omega));
+        for (const WheelVector& irregularity : group.irregularity) {
+            const WheelVector force = contact_forces(solution, irregularity);
             const auto add = [&](const std::array<lanes::Complex, 4>& receptance, double& sum) {
                 lanes::Complex elongation;
                 for (std::size_t j = 0; j < 4; ++j) elongation += receptance[j] * force[j];
-                const lanes::Real square = lanes::norm(elongation) * group.omega * group.omega * step;
-                for (int lane = 0; lane < count; ++lane) sum += square[lane];
+                const lanes::Real square = lanes::norm(elongation) * omega * omega * group.step_hz;
+                for (int lane = 0; lane < group.count; ++lane) sum += square[lane];
             };
             for (std::size_t e = 0; e < 4; ++e) {
                 add(solution.car.primary[e], sums.primary_velocity[e]);
-                const lanes::Real square = lanes::norm(force[e]) * softening * step;
-                for (int lane = 0; lane < count; ++lane) sums.contact_force[e] += square[lane];
+                const lanes::Real square = lanes::norm(force[e]) * softening * group.step_hz;
+                for (int lane = 0; lane < group.count; ++lane) sums.contact_force[e] += square[lane];
             }
             for (std::size_t e = 0; e < 2; ++e) add(solution.car.secondary[e], sums.secondary_velocity[e]);
         }
@@ -95,7 +114,7 @@ MeanContact mean_contact(double constant, double wheel_load, double deviation) {
     for (int i = 0; i < 50; ++i) {
         const double step = (force(mean) - wheel_load) / slope(mean);
         mean -= step;
-        if (std::abs(step) < 1e-14 * at_rest) break;
+        if (std::abs(step) < 1e-12 * at_rest) break;
     }
     return {slope(mean), 0.5 * std::erfc(mean / deviation / std::numbers::sqrt2)};
 }
@@ -106,8 +125,9 @@ Linearisation linearise(const CaseParameters& parameters, const std::vector<Sour
     const double constant = contact_constant(parameters.contact, parameters.vehicle.wheel_radius_m);
     const double load = wheel_load_n(parameters);
     const double linear = contact_stiffness(constant, load);
+    const std::vector<UnchangedGroup> groups = unchanged_groups(parameters, sources, model);
     for (result.iterations = 1; result.iterations <= kMostIterations; ++result.iterations) {
-        const MeanSquares squares = mean_squares(parameters, sources, model);
+        const MeanSquares squares = mean_squares(groups, model);
         result.change = 0.0;
         for (std::size_t e = 0; e < 4; ++e) {
             result.primary_velocity_m_per_s[e] = std::sqrt(squares.primary_velocity[e]);
