@@ -84,6 +84,7 @@ class Diagnosing {
         result_.posterior = posterior_of(naming_, decision);
         result_.places = place_probabilities(naming_, study_, decision);
         report_figures(decision);
+        report_margins();
         const bool names = decision.named && decision.verdict != Verdict::ambiguous && decision.verdict != Verdict::consistent;
         if (names) report_omitted(decision);
         report_rivals(decision);
@@ -99,6 +100,14 @@ class Diagnosing {
             result_.diagnosed_effects = retuned_.fit.trial.effects;
         }
         result_.statement = statement_of(result_);
+    }
+
+    void report_margins() {
+        if (!naming_.sets.empty()) {
+            result_.margins.score = naming_.sets.front().score() - naming_.retuned.score();
+            result_.margins.held_out = naming_.sets.front().held_out - naming_.retuned.held_out;
+        }
+        if (!study_.at_retuned.empty()) result_.margins.place = study_.at_retuned.front().nats;
     }
 
     double seconds(Part part) const {

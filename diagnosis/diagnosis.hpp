@@ -115,6 +115,13 @@ struct UsedRecording {
     bool irregularity_measured = false;
 };
 
+/// How far a diagnosis was from saying something else, nats.
+struct Margins {
+    double score = 0.0;     ///< log-evidence with prior of the best set over the retuned case
+    double held_out = 0.0;  ///< log-likelihood of the held-out part, that set over the retuned case
+    double place = 0.0;     ///< most that a free correction promises beside the retuned case
+};
+
 struct Diagnosis {
     Verdict verdict = Verdict::unexplained;
     bool interrupted = false;  ///< ended early: what is known so far
@@ -137,6 +144,7 @@ struct Diagnosis {
     std::vector<std::string> remains;     ///< what stays unexplained
     pem::CaseParameters diagnosed_numbers;        ///< the case before its effects, retuned
     std::vector<EffectInstance> diagnosed_effects;  ///< its own and the named ones
+    Margins margins;
     double seconds_taken = 0.0;
 };
 

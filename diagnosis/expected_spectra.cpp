@@ -93,14 +93,37 @@ pem::WheelTransfers channel_transfers(const pem::CaseParameters& parameters, con
     return transfers;
 }
 
+/// Power of a source at a fine line: at the line itself, or the mean over its cell where a band of the irregularity begins
+/// or ends in it. Paired bands may differ 16-fold at their edge; without this the expectation would jump whenever a change
+/// of speed carries the edge over a line, by tens of nats, and no fit could pass.
+double power_at_line(const pem::DelayedSpectrum& source, double frequency, double step, double at_low, double at_high) {
+    constexpr double kSuspicious = 1.2;  ///< ratio over a cell that deserves a look
+    constexpr double kJump = 1.01;       ///< ratio over next to nothing that no smooth spectrum has
+    const auto differ = [](double a, double b, double ratio) { return std::max(a, b) > ratio * std::min(a, b); };
+    const double centre = source.psd_m2_per_hz(frequency);
+    if (!differ(at_low, at_high, kSuspicious)) return centre;
+    double low = frequency - 0.5 * step, high = frequency + 0.5 * step, below = at_low, above = at_high;
+    for (int i = 0; i < 50; ++i) {
+        const double middle = 0.5 * (low + high), own = source.psd_m2_per_hz(middle);
+        const bool upper = std::abs(std::log((own + 1e-300) / (below + 1e-300))) < std::abs(std::log((own + 1e-300) / (above + 1e-300)));
+        (upper ? low : high) = middle;
+        (upper ? below : above) = own;
+    }
+    if (!differ(below, above, kJump)) return centre;
+    const double share = (low - frequency) / step + 0.5;  // of the cell, below the edge
+    return share * 0.5 * (at_low + below) + (1.0 - share) * 0.5 * (above + at_high);
+}
+
 /// Pseudo-responses of one broadband source on the fine grid: [channel][fine line].
 std::vector<Complex> fine_responses(const pem::WheelTransfers& transfers, const pem::DelayedSpectrum& source,
                                     const std::vector<double>& wheels, double speed, const FineGrid& grid) {
     const std::size_t channels = transfers.responses.size();
     std::vector<Complex> y(channels * grid.count), at(channels * 4);
+    double at_low = source.psd_m2_per_hz(grid.frequency(0) - 0.5 * grid.step_hz);
     for (std::size_t i = 0; i < grid.count; ++i) {
-        const double f = grid.frequency(i);
-        const double root = std::sqrt(source.psd_m2_per_hz(f));
+        const double f = grid.frequency(i), at_high = source.psd_m2_per_hz(f + 0.5 * grid.step_hz);
+        const double root = std::sqrt(power_at_line(source, f, grid.step_hz, at_low, at_high));
+        at_low = at_high;
         if (root == 0.0) continue;
         pem::interpolate(transfers, f, at.data());
         Complex e[4];
