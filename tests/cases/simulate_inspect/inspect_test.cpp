@@ -233,7 +233,7 @@ TEST(MeasuredData, DecayRates) {
     ASSERT_EQ(outcome.status, 0) << outcome.message;
     std::ostringstream expected;
     expected << "decay rate       "
-             << "    " << bands << " bands, 100 to 5000 Hz";
+             << bands << " bands, 100 to 5000 Hz";
     EXPECT_NE(outcome.output.find(expected.str()), std::string::npos) << outcome.output;
 }
 
