@@ -12,7 +12,8 @@ namespace railpem::diagnosis {
 /// Which part of the recordings speaks.
 enum class Part { fitted, held_out, all };
 
-/// Predictions of a trial for every observation, without noise and floor, and what makes similar ones cheap.
+/// Predictions of a trial for every observation, without noise and floor, and what makes similar ones cheap. Of a scalar recording
+/// ExpectedSpectra::values are its predict_scalars() with the gains of the trial, without channels.
 struct Predictions {
     std::vector<ExpectedSpectra> spectra;
     std::vector<ExpectationCache> caches;
@@ -45,6 +46,10 @@ struct LikelihoodContext {
     double least_floor = 0.0;  ///< relative; large values blunt the likelihood while a fit is far away
     int threads = 0;
 };
+
+/// Prediction of one observation, `reuse` from the cache of a similar trial.
+ExpectedSpectra predict_one(const Trial& trial, const LikelihoodContext& context, std::size_t observation, const ExpectationCache* known = nullptr,
+                            Reuse reuse = Reuse::nothing, ExpectationCache* filled = nullptr);
 
 /// Predictions of a trial; observations in parallel.
 Predictions predict(const Trial& trial, const LikelihoodContext& context);
