@@ -5,6 +5,7 @@
 #include <complex>
 #include <vector>
 
+#include "diagnosis/reuse.hpp"
 #include "diagnosis/trial.hpp"
 
 namespace railpem::diagnosis {
@@ -19,10 +20,6 @@ struct Predictions {
     std::vector<ExpectationCache> caches;
     const ExpectedSpectra& operator[](std::size_t observation) const { return spectra[observation]; }
 };
-
-/// What a trial that differs in one unknown, or by one effect, shares with the trial that the predictions are of.
-Reuse shared_with(const Trial& trial, const Unknown& unknown);
-Reuse shared_with(const Trial& trial, const EffectInstance& effect);
 
 /// The derivative of the prediction of one observation with one unknown, or nothing when it does not move it.
 struct PredictionDerivative {

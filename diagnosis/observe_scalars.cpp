@@ -8,7 +8,6 @@
 #include <set>
 
 #include "parameters/parameter_error.hpp"
-#include "pem/solution.hpp"
 
 namespace railpem::diagnosis {
 
