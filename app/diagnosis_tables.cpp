@@ -88,9 +88,11 @@ std::string file_stem(const std::string& name, std::set<std::string>& taken) {
 }
 
 std::string spectra_csv(const Diagnosis& diagnosis, const std::string& recording) {
-    std::string header = "frequency_hz,channel";
+    std::string header = "frequency_hz,channel", quantity;
+    for (const ChannelComparison& c : diagnosis.channels)
+        if (c.recording == recording) quantity = c.quantity;  // the same for all channels of a recording
     for (const char* what : {"measured", "low", "high", "believed", "retuned", "diagnosed"})
-        header += std::string(",") + what + "_psd_m2_per_s4_per_hz";
+        header += std::string(",") + what + "_" + quantity;
     Rows rows(header);
     for (const ChannelComparison& c : diagnosis.channels) {
         if (c.recording != recording) continue;

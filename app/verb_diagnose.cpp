@@ -17,6 +17,7 @@
 #include "app/progress_bar.hpp"
 #include "app/verbs.hpp"
 #include "diagnosis/diagnose.hpp"
+#include "diagnosis/observe_scalars.hpp"
 #include "recordings/inspection.hpp"
 
 namespace railpem::app {
@@ -34,7 +35,22 @@ struct LoadedRecordings {
     std::vector<diagnosis::Observation> observations;
     std::vector<std::vector<std::string>> faults;             ///< per observation
     std::vector<std::vector<std::string>> channels_not_used;  ///< per observation
+
+    void add(const diagnosis::Observation& observation, std::vector<std::string> own_faults, std::vector<std::string> not_used) {
+        observations.push_back(observation);
+        faults.push_back(std::move(own_faults));
+        channels_not_used.push_back(std::move(not_used));
+    }
 };
+
+/// Channels of spectra that the case does not have.
+std::vector<std::string> unused_spectra(const recordings::Recording& recording, const diagnosis::Observation& observation) {
+    std::vector<std::string> names;
+    for (const recordings::ChannelSpectrum& spectrum : recording.spectra)
+        if (std::find(observation.channel_names.begin(), observation.channel_names.end(), spectrum.description.name) == observation.channel_names.end())
+            names.push_back(spectrum.description.name);
+    return names;
+}
 
 /// Recordings that are the same file twice would count the same evidence twice.
 void check_distinct(const DiagnoseRequest& request) {
@@ -47,13 +63,22 @@ void check_distinct(const DiagnoseRequest& request) {
 
 LoadedRecordings load_recordings(const DiagnoseRequest& request, const CaseFile& file, const diagnosis::BelievedCase& believed) {
     LoadedRecordings loaded;
+    std::set<std::string> data_files;
     for (const std::string& path : request.recordings) {
         const RecordingFile description = read_recording(path);
         const recordings::Recording recording = load_recording(description);
+        if (!data_files.insert(std::filesystem::weakly_canonical(recording.file).string()).second)
+            throw InputError(fmt::format("{}: the same data file twice would count its evidence twice\nallowed: data of its own for each recording", path));
+        const diagnosis::ObservationOptions options{.window_s = request.window_s, .held_out_share = request.held_out};
+        const bool series = recording.description.kind == recordings::RecordingKind::timeseries;
         const auto observation = reading_data(description, [&] {
-            return diagnosis::observe(recording, description.name, believed.numbers,
-                                      {.window_s = request.window_s, .held_out_share = request.held_out});
+            return series ? diagnosis::observe(recording, description.name, believed.numbers, options)
+                          : diagnosis::observe_scalars(recording, description.name, believed.numbers, options);
         });
+        if (!series) {  // nothing to inspect: what it lacks is part of what the verdict rests on
+            loaded.add(observation, {}, unused_spectra(recording, observation));
+            continue;
+        }
         const recordings::InspectionReport inspection = recordings::inspect(recording, inspection_beliefs(file, description));
         std::vector<std::string> faults, not_used;
         for (const recordings::Fault& fault : inspection.faults)
@@ -61,9 +86,7 @@ LoadedRecordings load_recordings(const DiagnoseRequest& request, const CaseFile&
         for (const recordings::Channel& channel : recording.series.channels)
             if (std::find(observation.channel_names.begin(), observation.channel_names.end(), channel.description.name) == observation.channel_names.end())
                 not_used.push_back(channel.description.name);
-        loaded.observations.push_back(observation);
-        loaded.faults.push_back(std::move(faults));
-        loaded.channels_not_used.push_back(std::move(not_used));
+        loaded.add(observation, std::move(faults), std::move(not_used));
     }
     return loaded;
 }

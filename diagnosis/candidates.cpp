@@ -1,6 +1,7 @@
 #include "diagnosis/candidates.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +9,7 @@
 #include <numbers>
 #include <set>
 
+#include "diagnosis/shows.hpp"
 #include "pem/sensor_chain.hpp"
 #include "pem/solution.hpp"
 
@@ -52,6 +54,7 @@ std::vector<double> looking_points(const Effect& effect, const EffectParameter& 
     if (parameter.name == "wavelength_m" || parameter.name == "spacing_m") {
         double shortest = 1e300, longest = 0.0;
         for (const Observation& observation : observations) {
+            if (!reaches(observation, Element::irregularity)) continue;
             shortest = std::min(shortest, observation.speed_m_per_s / observation.expectation.high_hz);
             longest = std::max(longest, observation.speed_m_per_s / observation.expectation.low_hz);
         }
@@ -102,6 +105,13 @@ std::vector<std::string> options_of(const EffectChoice& choice, const Trial& tri
     if (choice.name == "order") return order_options(choice, trial, observations);
     if (choice.name == "every") return {"2", "3", "4", "5", "6", "8", "10", "12", "16", "20"};
     return choice.options;
+}
+
+/// "receptance and decay rate".
+std::string kinds_in_words(const std::vector<Observation>& observations) {
+    std::set<std::string> kinds;
+    for (const Observation& observation : observations) kinds.insert(kind_in_words(observation));
+    return fmt::format("{}", fmt::join(kinds, " and "));
 }
 
 void add_choices(const Effect& effect, std::size_t index, const EffectInstance& so_far, const Trial& trial,
@@ -172,6 +182,10 @@ CandidateList candidates(const BelievedCase& believed, const Trial& trial, const
     const pem::CaseParameters parameters = case_of(trial, believed, observations.front());
     for (const Effect& effect : effects()) {
         if (effect.id == "parameter-error") continue;
+        if (std::none_of(observations.begin(), observations.end(), [&](const Observation& own) { return could_show(own, effect); })) {
+            list.not_tested.push_back({effect.id, "it cannot show in " + kinds_in_words(observations)});
+            continue;
+        }
         if (effect.obstacle)
             if (const auto obstacle = effect.obstacle(parameters)) {
                 list.not_tested.push_back({effect.id, obstacle->problem});

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "diagnosis/compare_scalars.hpp"
 #include "recordings/confidence.hpp"
 #include "spectra/third_octaves.hpp"
 
@@ -110,8 +111,13 @@ BinRatios bin_ratios(const Trial& trial, const Predictions& predictions, const O
 
 std::vector<ChannelComparison> compare_channels(const Stages& stages, const std::vector<Observation>& observations, Part part) {
     std::vector<ChannelComparison> channels;
-    for (std::size_t o = 0; o < observations.size(); ++o)
+    for (std::size_t o = 0; o < observations.size(); ++o) {
+        if (observations[o].scalar) {
+            compare_scalars(stages, observations[o], o, part, channels);
+            continue;
+        }
         for (std::size_t c = 0; c < observations[o].channels.size(); ++c) channels.push_back(compare(stages, observations[o], o, c, part));
+    }
     return channels;
 }
 
@@ -134,6 +140,10 @@ std::vector<Mismatch> mismatches(const Trial& trial, const Predictions& predicti
     double tests = 0.0;
     for (std::size_t o = 0; o < observations.size(); ++o) {
         const Observation& observation = observations[o];
+        if (observation.scalar) {
+            tests += scalar_mismatches(sound, predictions, observation, o, part, found);
+            continue;
+        }
         const MeasuredSpectra& data = measured(observation, part);
         const std::size_t size = observation.channels.size();
         const BinRatios ratios = bin_ratios(sound, predictions, observation, o, data);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "diagnosis/shows.hpp"
 #include "pem/solution.hpp"
 
 namespace railpem::diagnosis {
@@ -97,6 +98,7 @@ std::vector<CorrectionPlace> correction_places(const BelievedCase& believed, con
     std::vector<CorrectionPlace> places;
     for (const Element element : {Element::secondary, Element::primary, Element::body, Element::bogie, Element::wheel, Element::contact,
                                   Element::rail, Element::pad, Element::support, Element::irregularity}) {
+        if (std::none_of(observations.begin(), observations.end(), [&](const Observation& own) { return reaches(own, element); })) continue;
         if (element == Element::support && believed.numbers.track.support.model == track::SupportModel::rigid) continue;
         places.push_back({.element = element, .channel = {}});
     }

@@ -10,7 +10,9 @@
 #include "diagnosis/compare_channels.hpp"
 #include "diagnosis/inferred_curve.hpp"
 #include "diagnosis/locate.hpp"
+#include "diagnosis/scalar_likelihood.hpp"
 #include "diagnosis/separate.hpp"
+#include "diagnosis/shows.hpp"
 #include "diagnosis/verdict.hpp"
 
 namespace railpem::diagnosis {
@@ -113,13 +115,16 @@ class Diagnosing {
     double seconds(Part part) const {
         double sum = 0.0;
         for (const Observation& observation : observations_) sum += measured(observation, part).seconds;
-        return sum;
+        // Without any time series the figures are per value.
+        return sum > 0.0 ? sum : std::max(1.0, static_cast<double>(scalar_count(observations_, part)));
     }
 
     void report_figures(const Decision& decision) {
         Trial believed = believed_trial(believed_, observations_);
         believed.noise_psd = naming_.retuned.fit.trial.noise_psd;
         believed.floor = naming_.retuned.fit.trial.floor;
+        believed.discrepancy = naming_.retuned.fit.trial.discrepancy;
+        believed.log_gain = naming_.retuned.fit.trial.log_gain;
         const Predictions before = predict(believed, context_);
         const FittedSet& after = decision.named ? *decision.named : naming_.retuned;
         LikelihoodContext held = context_;
@@ -133,7 +138,8 @@ class Diagnosing {
                               (log_likelihood(trial, predictions, own) - reference) / duration};
         };
         // A held-out part with fewer averages than channels has no saturated model: the reference is the diagnosed one's own entropy.
-        const double reference = log_likelihood(after.fit.trial, after.fit.predictions, held) + excess(after, held);
+        const double reference = log_likelihood(after.fit.trial, after.fit.predictions, held) + excess(after, held) -
+                                 scalar_log_likelihood(after.fit.trial, after.fit.predictions, held);
         const Fit &retuned = naming_.retuned.fit, &last = after.fit;
         result_.before = figures(believed, before, Stage::believed, Part::fitted, fitted_s, 0.0);
         result_.retuned = figures(retuned.trial, retuned.predictions, Stage::retuned, Part::fitted, fitted_s, 0.0);
@@ -296,7 +302,7 @@ class Diagnosing {
             const Observation& observation = observations_[o];
             UsedRecording used{.name = observation.name, .stated_speed_m_per_s = observation.speed_m_per_s, .payload_kg = observation.payload_kg,
                                .seconds = observation.all.seconds, .held_out_seconds = observation.held_out.seconds, .low_hz = observation.expectation.low_hz,
-                               .high_hz = observation.expectation.high_hz, .window_s = 1.0 / observation.kernel.bin_hz(), .averages = observation.all.averages};
+                               .high_hz = observation.expectation.high_hz, .window_s = observation.scalar ? 0.0 : 1.0 / observation.kernel.bin_hz(), .averages = observation.all.averages};
             used.channels = observation.channel_names;
             std::size_t u = 0;
             if (named_.fit.find("speed of " + observation.name, &u)) {
@@ -310,11 +316,15 @@ class Diagnosing {
     }
 
     void report_basis() {
+        result_.per_value = std::all_of(observations_.begin(), observations_.end(), [](const Observation& own) { return own.scalar.has_value(); });
+        for (const std::string& basis : scalar_basis(observations_)) result_.rests_on.push_back(basis);
         std::map<long, int> speeds;
-        for (const Observation& observation : observations_) ++speeds[std::lround(10.0 * observation.speed_m_per_s)];
-        if (speeds.size() > 1) result_.rests_on.push_back(std::to_string(speeds.size()) + " speeds: irregularity keeps its wavelength, structure its frequency");
+        for (const Observation& observation : observations_)
+            if (observation.speed_m_per_s > 0.0) ++speeds[std::lround(10.0 * observation.speed_m_per_s)];
+        if (speeds.empty()) result_.rests_on.push_back("the track alone, without a vehicle");
+        else if (speeds.size() > 1) result_.rests_on.push_back(std::to_string(speeds.size()) + " speeds: irregularity keeps its wavelength, structure its frequency");
         else result_.rests_on.push_back("one speed: what lies below the wheels shows only through the coupling of neighbouring wheels and the believed irregularity");
-        result_.rests_on.push_back("ratios between the channels, which do not care what the irregularity is");
+        if (!result_.per_value) result_.rests_on.push_back("ratios between the channels, which do not care what the irregularity is");
         for (const RetunedNumber& number : result_.numbers)
             if (number.outside) result_.remains.push_back(number.key + " ends " + std::to_string(std::abs(number.tolerances_away)).substr(0, 4) + " tolerances away from what was believed");
         if (!study_.at_named.empty() && study_.at_named.front().nats > options_.thresholds.residual)

@@ -94,10 +94,12 @@ struct InferredCurve {
     std::vector<std::complex<double>> retuned, diagnosed;  ///< the laws of the retuned and of the diagnosed case; may be empty
 };
 
-/// One channel of one recording: PSDs on a common grid of bins, in the channel's squared unit per Hz.
+/// One channel of one recording: PSDs on a common grid of bins, in the channel's squared unit per Hz; of a recording without time series
+/// its levels.
 struct ChannelComparison {
     std::string recording, channel;
     double speed_m_per_s = 0.0;
+    std::string quantity = "psd_m2_per_s4_per_hz";  ///< what `measured` and the models are, with the unit, as in a column
     std::vector<double> frequency_hz;
     std::vector<double> measured, low, high;  ///< with the 90 % band of the estimate
     std::vector<double> believed, retuned, diagnosed;
@@ -134,6 +136,7 @@ struct Diagnosis {
     FitFigures before, retuned, after;
     FitFigures held_out_before, held_out_retuned, held_out_after;
     double hidden_by_retuning = 0.0;
+    bool per_value = false;  ///< no time series: figures are per value, not per second
     std::vector<RetunedNumber> numbers;    ///< of the diagnosed case (of the retuned when nothing is named)
     std::vector<RetunedNumber> retuned_numbers;  ///< with nothing added: what calibration would have hidden
     std::vector<InferredCurve> curves;

@@ -62,16 +62,6 @@ FineGrid fine_grid(const recordings::WindowKernel& kernel, std::size_t first_bin
     return {kernel.bin_hz() / oversampling, first, last - first + 1};
 }
 
-/// From acceleration to the channel's quantity, and what its sensors do, at a frequency.
-Complex channel_factor(const pem::CaseParameters& parameters, const ObservedChannel& channel, double frequency) {
-    Complex factor = 1.0;
-    for (int i = 0; i < channel.integrations; ++i) factor /= Complex(0.0, 2.0 * std::numbers::pi * frequency);
-    for (const pem::SensorParameters& sensor : parameters.sensors)
-        if (pem::measured_response(sensor.channel) == pem::response_names()[channel.response].where)
-            factor *= pem::sensor_transfer(sensor, frequency);
-    return factor;
-}
-
 /// The transfers from the four wheels to all channels on a coarse grid that covers the fine one, sensors included.
 pem::WheelTransfers channel_transfers(const pem::CaseParameters& parameters, const pem::CoupledModel& model,
                                       const std::vector<ObservedChannel>& channels, const FineGrid& grid,
@@ -222,6 +212,15 @@ void add_sensor_noise(const pem::CaseParameters& parameters, const std::vector<O
 }
 
 }  // namespace
+
+Complex channel_factor(const pem::CaseParameters& parameters, const ObservedChannel& channel, double frequency) {
+    Complex factor = 1.0;
+    for (int i = 0; i < channel.integrations; ++i) factor /= Complex(0.0, 2.0 * std::numbers::pi * frequency);
+    for (const pem::SensorParameters& sensor : parameters.sensors)
+        if (pem::measured_response(sensor.channel) == pem::response_names()[channel.response].where)
+            factor *= pem::sensor_transfer(sensor, frequency);
+    return factor;
+}
 
 std::vector<ObservedChannel> observed_channels(const std::vector<recordings::ChannelDescription>& channels,
                                                const pem::CaseParameters& parameters) {

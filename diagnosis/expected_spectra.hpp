@@ -48,6 +48,9 @@ struct ExpectationOptions {
     recordings::KernelWeights weights;  ///< of the kernel, when whoever asks often has them already; else computed
 };
 
+/// From acceleration to the channel's quantity, and what its sensors do, at a frequency.
+std::complex<double> channel_factor(const pem::CaseParameters& parameters, const ObservedChannel& channel, double frequency_hz);
+
 /// The kernel on the fine grid of an expectation.
 recordings::KernelWeights expectation_weights(const recordings::WindowKernel& kernel, int oversampling);
 

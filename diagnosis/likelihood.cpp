@@ -8,6 +8,9 @@
 #include <exception>
 #include <limits>
 
+#include "diagnosis/predict_scalars.hpp"
+#include "diagnosis/scalar_likelihood.hpp"
+
 namespace railpem::diagnosis {
 
 namespace {
@@ -162,48 +165,7 @@ void add_prediction_columns(const Trial& trial, const Observation& observation, 
     }
 }
 
-/// Linearised laws depend on the excitation.
-bool depends_on_level(const Trial& trial) {
-    return trial.numbers.vehicle.primary.friction_force_n > 0.0 || trial.numbers.vehicle.secondary.friction_force_n > 0.0 ||
-           trial.numbers.contact.nonlinearity_factor > 0.0 ||
-           std::any_of(trial.effects.begin(), trial.effects.end(), [](const EffectInstance& effect) {
-               return effect.effect == "suspension-friction" || effect.effect == "contact-nonlinearity";
-           });
-}
-
-Reuse shared_with(const Trial& trial, Element element) {
-    switch (element) {
-        case Element::irregularity: return depends_on_level(trial) ? Reuse::rail : Reuse::transfers;
-        case Element::pad:
-        case Element::rail:
-        case Element::support: return Reuse::nothing;
-        default: break;
-    }
-    // The wheel load moves the pads where their stiffness follows it.
-    const bool load_matters = trial.numbers.track.statics.wheel_load_n == 0.0 &&
-                              (trial.numbers.track.pads.preload_strength > 0.0 ||
-                               std::any_of(trial.effects.begin(), trial.effects.end(),
-                                           [](const EffectInstance& effect) { return effect.effect == "pad-preload-stiffening"; }));
-    return load_matters ? Reuse::nothing : Reuse::rail;
-}
-
 }  // namespace
-
-Reuse shared_with(const Trial& trial, const Unknown& unknown) {
-    switch (unknown.kind) {
-        case UnknownKind::irregularity:
-        case UnknownKind::passing: return shared_with(trial, Element::irregularity);
-        case UnknownKind::number: return shared_with(trial, element_of_key(unknown.name));
-        case UnknownKind::effect: return shared_with(trial, trial.effects[static_cast<std::size_t>(unknown.index)]);
-        case UnknownKind::correction: return shared_with(trial, unknown.element);
-        case UnknownKind::gain: return Reuse::rail;
-        default: return Reuse::nothing;
-    }
-}
-
-Reuse shared_with(const Trial& trial, const EffectInstance& effect) {
-    return shared_with(trial, element_of(*find_effect(effect.effect), effect));
-}
 
 const MeasuredSpectra& measured(const Observation& observation, Part part) {
     return part == Part::fitted ? observation.fitted : part == Part::held_out ? observation.held_out : observation.all;
@@ -220,16 +182,26 @@ Eigen::MatrixXcd complete_prediction(const Trial& trial, const Observation& obse
     return model;
 }
 
+ExpectedSpectra predict_one(const Trial& trial, const LikelihoodContext& context, std::size_t o, const ExpectationCache* known, Reuse reuse,
+                            ExpectationCache* filled) {
+    const Observation& observation = (*context.observations)[o];
+    const pem::CaseParameters parameters = case_of(trial, *context.believed, observation);
+    if (!observation.scalar)
+        return expected_spectra(parameters, trial.speed_m_per_s[o], observation.kernel, observation.channels, {}, observation.expectation, known,
+                                reuse, filled);
+    ExpectedSpectra result{.values = predict_scalars(parameters, trial.speed_m_per_s[o], observation, known, reuse, filled)};
+    for (std::size_t i = 0; i < result.values.size() && !trial.log_gain[o].empty(); ++i)
+        result.values[i] += trial.log_gain[o][observation.scalar->values[i].channel];
+    return result;
+}
+
 Predictions predict(const Trial& trial, const LikelihoodContext& context) {
     const std::vector<Observation>& observations = *context.observations;
     Predictions predictions{std::vector<ExpectedSpectra>(observations.size()), std::vector<ExpectationCache>(observations.size())};
     std::exception_ptr failure;
 #pragma omp parallel for schedule(dynamic, 1) num_threads(thread_count(context))
     for (std::size_t o = 0; o < observations.size(); ++o) try {
-            const Observation& observation = observations[o];
-            predictions.spectra[o] = expected_spectra(case_of(trial, *context.believed, observation), trial.speed_m_per_s[o],
-                                                      observation.kernel, observation.channels, {}, observation.expectation,
-                                                      nullptr, Reuse::nothing, &predictions.caches[o]);
+            predictions.spectra[o] = predict_one(trial, context, o, nullptr, Reuse::nothing, &predictions.caches[o]);
         } catch (...) {
 #pragma omp critical(railpem_predict)
             failure = std::current_exception();
@@ -245,8 +217,7 @@ std::vector<PredictionDerivative> differentiate(const Trial& trial, const std::v
     std::vector<PredictionDerivative> derivatives;
     for (std::size_t u = 0; u < unknowns.size(); ++u)
         for (std::size_t o = 0; o < observations.size(); ++o) {
-            if (unknowns[u].kind == UnknownKind::noise || unknowns[u].kind == UnknownKind::floor) continue;
-            if (unknowns[u].observation >= 0 && unknowns[u].observation != static_cast<int>(o)) continue;
+            if (!moves(unknowns[u], trial, observations[o], o)) continue;
             derivatives.push_back({static_cast<int>(o), static_cast<int>(u), {}});
         }
     std::exception_ptr failure;
@@ -258,11 +229,7 @@ std::vector<PredictionDerivative> differentiate(const Trial& trial, const std::v
             const double step = values[u] + unknown.step <= unknown.high ? unknown.step : -unknown.step;
             Trial moved = trial;
             unknown.set(moved, values[u] + step);
-            const Observation& observation = observations[o];
-            const ExpectedSpectra spectra =
-                expected_spectra(case_of(moved, *context.believed, observation), moved.speed_m_per_s[o], observation.kernel,
-                                 observation.channels, {}, observation.expectation, &predictions.caches[o],
-                                 shared_with(trial, unknown));
+            const ExpectedSpectra spectra = predict_one(moved, context, o, &predictions.caches[o], shared_with(trial, unknown));
             own.values.resize(spectra.values.size());
             for (std::size_t i = 0; i < spectra.values.size(); ++i)
                 own.values[i] = Complex((spectra.values[i] - predictions[o].values[i]) / step);
@@ -286,7 +253,7 @@ double log_likelihood(const Trial& trial, const Predictions& predictions, const 
             sums[i] += data.averages * whiten(trial, observations[chunk.observation], chunk.observation,
                                               predictions[chunk.observation], data, bin, context.least_floor).log_likelihood;
     }
-    double sum = 0.0;
+    double sum = scalar_log_likelihood(trial, predictions, context);
     for (const double own : sums) sum += own;
     return std::isfinite(sum) ? sum : -std::numeric_limits<double>::infinity();
 }
@@ -333,6 +300,7 @@ LikelihoodSlope likelihood_slope(const Trial& trial, const std::vector<Unknown>&
     const Eigen::MatrixXd sums = total.information;
     total.information = sums + sums.transpose();
     total.information.diagonal() = sums.diagonal();
+    add_scalar_slope(trial, unknowns, predictions, derivatives, context, total);
     return total;
 }
 

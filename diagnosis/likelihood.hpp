@@ -5,6 +5,7 @@
 #include <complex>
 #include <vector>
 
+#include "diagnosis/reuse.hpp"
 #include "diagnosis/trial.hpp"
 
 namespace railpem::diagnosis {
@@ -12,16 +13,13 @@ namespace railpem::diagnosis {
 /// Which part of the recordings speaks.
 enum class Part { fitted, held_out, all };
 
-/// Predictions of a trial for every observation, without noise and floor, and what makes similar ones cheap.
+/// Predictions of a trial for every observation, without noise and floor, and what makes similar ones cheap. Of a scalar recording
+/// ExpectedSpectra::values are its predict_scalars() with the gains of the trial, without channels.
 struct Predictions {
     std::vector<ExpectedSpectra> spectra;
     std::vector<ExpectationCache> caches;
     const ExpectedSpectra& operator[](std::size_t observation) const { return spectra[observation]; }
 };
-
-/// What a trial that differs in one unknown, or by one effect, shares with the trial that the predictions are of.
-Reuse shared_with(const Trial& trial, const Unknown& unknown);
-Reuse shared_with(const Trial& trial, const EffectInstance& effect);
 
 /// The derivative of the prediction of one observation with one unknown, or nothing when it does not move it.
 struct PredictionDerivative {
@@ -45,6 +43,10 @@ struct LikelihoodContext {
     double least_floor = 0.0;  ///< relative; large values blunt the likelihood while a fit is far away
     int threads = 0;
 };
+
+/// Prediction of one observation, `reuse` from the cache of a similar trial.
+ExpectedSpectra predict_one(const Trial& trial, const LikelihoodContext& context, std::size_t observation, const ExpectationCache* known = nullptr,
+                            Reuse reuse = Reuse::nothing, ExpectationCache* filled = nullptr);
 
 /// Predictions of a trial; observations in parallel.
 Predictions predict(const Trial& trial, const LikelihoodContext& context);

@@ -2,10 +2,12 @@
 // A recording as the likelihood sees it.
 
 #include <complex>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "diagnosis/expected_spectra.hpp"
+#include "diagnosis/scalar_data.hpp"
 #include "recordings/recording.hpp"
 #include "recordings/window.hpp"
 
@@ -19,7 +21,7 @@ struct MeasuredSpectra {
     double seconds = 0.0;
 };
 
-/// One time series: a vehicle at one speed and load.
+/// One recording: a vehicle at one speed and load (time series and spectra), or the track alone.
 struct Observation {
     std::string name;
     double speed_m_per_s = 0.0;
@@ -34,6 +36,7 @@ struct Observation {
     MeasuredSpectra fitted;    ///< what fits may see
     MeasuredSpectra held_out;  ///< what no fit sees
     MeasuredSpectra all;
+    std::optional<ScalarData> scalar;  ///< a recording without time series: the three parts above are then empty
 
     std::size_t first_bin() const;
     std::size_t bins() const { return all.log_determinant.size(); }

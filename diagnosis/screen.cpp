@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "diagnosis/shows.hpp"
 #include "parameters/parameter_error.hpp"
 
 namespace railpem::diagnosis {
@@ -26,13 +27,11 @@ std::vector<PredictionDerivative> directions(const Fit& fit, const std::vector<C
         PredictionDerivative& own = result[i];
         own.observation = static_cast<int>(o);
         own.unknown = static_cast<int>(fit.unknowns.size() + c);
+        if (!could_show(observations[o], *find_effect(candidates[first + c].probe.effect))) continue;
         Trial trial = fit.trial;
         trial.effects.push_back(candidates[first + c].probe);
-        const Observation& observation = observations[o];
         try {
-            const ExpectedSpectra with = expected_spectra(case_of(trial, *context.believed, observation), trial.speed_m_per_s[o], observation.kernel,
-                                                          observation.channels, {}, observation.expectation,
-                                                          &fit.predictions.caches[o], shared_with(trial, candidates[first + c].probe));
+            const ExpectedSpectra with = predict_one(trial, context, o, &fit.predictions.caches[o], shared_with(trial, candidates[first + c].probe));
             own.values.resize(with.values.size());
             for (std::size_t k = 0; k < with.values.size(); ++k)
                 own.values[k] = (with.values[k] - fit.predictions[o].values[k]);

@@ -21,11 +21,11 @@ struct Test {
 };
 
 /// Divergence of two predictions per minute: Σ n [tr(S₂⁻¹S₁) − p − log det(S₂⁻¹S₁)], the smaller of both directions.
-double divergence(const Observation& observation, const ExpectedSpectra& first, const ExpectedSpectra& second, const Trial& trial) {
+double divergence(const Observation& observation, std::size_t index, const ExpectedSpectra& first, const ExpectedSpectra& second, const Trial& trial) {
     const double averages_per_minute = 60.0 * observation.all.averages / observation.all.seconds;
     double one = 0.0, other = 0.0;
     for (std::size_t bin = 0; bin < first.bins(); ++bin) {
-        const Eigen::MatrixXcd a = complete_prediction(trial, observation, 0, first, bin), b = complete_prediction(trial, observation, 0, second, bin);
+        const Eigen::MatrixXcd a = complete_prediction(trial, observation, index, first, bin), b = complete_prediction(trial, observation, index, second, bin);
         const Eigen::LLT<Eigen::MatrixXcd> factor_a(a), factor_b(b);
         double logs = 0.0;
         for (long i = 0; i < a.rows(); ++i) logs += 2.0 * std::log(factor_a.matrixLLT()(i, i).real() / factor_b.matrixLLT()(i, i).real());
@@ -36,10 +36,19 @@ double divergence(const Observation& observation, const ExpectedSpectra& first, 
     return averages_per_minute * std::min(one, other);
 }
 
+/// What recordings without time series leave open is best asked of a recording of another kind.
+std::string other_kind(const std::vector<Observation>& observations) {
+    const bool track = std::any_of(observations.begin(), observations.end(), [](const Observation& own) { return own.scalar->of_track(); });
+    return track ? "receptances over a support and in the middle of a bay, with phase, beside what was measured"
+                 : "the time series of all channels at two speeds: their cross-spectra tell what levels alone do not";
+}
+
 }  // namespace
 
 std::string would_separate(const FittedSet& first, const FittedSet& second, const BelievedCase& believed, const std::vector<Observation>& observations) {
-    const Observation& known = observations.front();
+    const auto series = std::find_if(observations.begin(), observations.end(), [](const Observation& own) { return !own.scalar; });
+    if (series == observations.end()) return other_kind(observations);
+    const Observation& known = *series;
     const double v = known.speed_m_per_s;
     const Test tests[] = {{fmt::format("a run at {:.0f} km/h", 3.6 * 0.6 * v), 0.6, known.payload_kg},
                           {fmt::format("a run at {:.0f} km/h", 3.6 * 1.5 * v), 1.5, known.payload_kg},
@@ -55,7 +64,7 @@ std::string would_separate(const FittedSet& first, const FittedSet& second, cons
             const auto expect = [&](const FittedSet& set) {
                 return expected_spectra(case_of(set.fit.trial, believed, observation), speed, observation.kernel, observation.channels, {}, observation.expectation);
             };
-            const double nats = divergence(observation, expect(first), expect(second), first.fit.trial);
+            const double nats = divergence(observation, static_cast<std::size_t>(series - observations.begin()), expect(first), expect(second), first.fit.trial);
             if (nats > most) most = nats, best = &test;
         } catch (const parameters::ParameterError&) {
         }

@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "diagnosis/shows.hpp"
 #include "pem/contact.hpp"
 #include "pem/solution.hpp"
 
@@ -20,13 +21,18 @@ constexpr double kPassingDeviation = 0.10;      ///< of the amplitude of sleeper
 constexpr double kNoiseDeviation = 3.0;         ///< in log power: known to a factor of 20
 constexpr double kFloorMean = -7.6;             ///< log of 5e-4: what two sound simulators differ by
 constexpr double kFloorDeviation = 1.0;
+constexpr double kScalarDiscrepancy = 0.05;     ///< relative, of a level: what a model of this class is good for without phases
+constexpr double kScalarDiscrepancyDeviation = 0.5;
+constexpr double kScaleDeviation = 10.0;        ///< of the log power of a channel without a scale: as good as anything
 
 std::vector<double> spline_wavelengths(const std::vector<Observation>& observations) {
     double shortest = 1e300, longest = 0.0;
     for (const Observation& observation : observations) {
+        if (!reaches(observation, Element::irregularity)) continue;
         shortest = std::min(shortest, observation.speed_m_per_s / observation.expectation.high_hz);
         longest = std::max(longest, observation.speed_m_per_s / observation.expectation.low_hz);
     }
+    if (longest == 0.0) return {};
     const int count = 1 + static_cast<int>(std::ceil(kNodesPerOctave * std::log2(longest / shortest)));
     std::vector<double> nodes;
     for (int i = 0; i < count; ++i) nodes.push_back(shortest * std::pow(longest / shortest, static_cast<double>(i) / (count - 1)));
@@ -34,8 +40,9 @@ std::vector<double> spline_wavelengths(const std::vector<Observation>& observati
 }
 
 /// The longest wave first belongs to spline nodes of increasing wavelength.
-void add_irregularity(const std::vector<Observation>& observations, std::vector<Unknown>& unknowns) {
+void add_irregularity(const BelievedCase& believed, const std::vector<Observation>& observations, std::vector<Unknown>& unknowns) {
     const std::vector<double> nodes = spline_wavelengths(observations);
+    if (nodes.empty()) return;  // a track without a vehicle does not feel it
     for (std::size_t i = 0; i < nodes.size(); ++i)
         unknowns.push_back({.kind = UnknownKind::irregularity,
                             .name = fmt::format("irregularity at {:.2g} m", nodes[i]),
@@ -52,11 +59,45 @@ void add_irregularity(const std::vector<Observation>& observations, std::vector<
                                 }
                                 spline.log_factor[i] = x;
                             }});
+    unknowns.push_back({.kind = UnknownKind::irregularity,
+                        .name = "irregularity level",
+                        .deviation = kLevelDeviation,
+                        .low = -4.0,
+                        .high = 4.0,
+                        .step = 1e-5,
+                        .index = -1,
+                        .set = [level = believed.numbers.irregularity.level_db](Trial& trial, double x) {
+                            trial.numbers.irregularity.level_db = level + x * 10.0 / std::log(10.0);
+                        }});
+}
+
+/// A discrepancy for the recording, and the scale of every channel whose unit cannot be trusted.
+void add_scalar(const Observation& observation, std::size_t o, std::vector<Unknown>& unknowns) {
+    unknowns.push_back({.kind = UnknownKind::discrepancy,
+                        .name = "discrepancy of " + observation.name,
+                        .mean = std::log(kScalarDiscrepancy),
+                        .deviation = kScalarDiscrepancyDeviation,
+                        .low = std::log(1e-4),
+                        .high = std::log(10.0),
+                        .observation = static_cast<int>(o),
+                        .set = [o](Trial& trial, double x) { trial.discrepancy[o] = std::exp(x); }});
+    for (std::size_t c = 0; c < observation.channels.size(); ++c)
+        if (observation.unknown_scale[c])
+            unknowns.push_back({.kind = UnknownKind::gain,
+                                .name = fmt::format("scale of {} in {}", observation.channel_names[c], observation.name),
+                                .deviation = kScaleDeviation,
+                                .low = -40.0,
+                                .high = 40.0,
+                                .observation = static_cast<int>(o),
+                                .index = static_cast<int>(c),
+                                .set = [o, c](Trial& trial, double x) { trial.log_gain[o][c] = x; }});
 }
 
 void add_recording(const std::vector<Observation>& observations, std::vector<Unknown>& unknowns) {
     for (std::size_t o = 0; o < observations.size(); ++o) {
         const Observation& observation = observations[o];
+        if (observation.scalar) add_scalar(observation, o, unknowns);
+        if (!reaches(observation, Element::irregularity)) continue;
         const double speed = observation.speed_m_per_s;
         unknowns.push_back({.kind = UnknownKind::speed,
                             .name = "speed of " + observation.name,
@@ -66,7 +107,7 @@ void add_recording(const std::vector<Observation>& observations, std::vector<Unk
                             .step = 1e-8,
                             .observation = static_cast<int>(o),
                             .set = [o, speed](Trial& trial, double x) { trial.speed_m_per_s[o] = speed * std::exp(x); }});
-        for (std::size_t c = 0; c < observation.channels.size(); ++c) {
+        for (std::size_t c = 0; c < observation.noise_psd.size(); ++c) {
             const double guess = std::log(observation.noise_psd[c]);
             unknowns.push_back({.kind = UnknownKind::noise,
                                 .name = fmt::format("noise of {} in {}", observation.channel_names[c], observation.name),
@@ -84,7 +125,8 @@ void add_recording(const std::vector<Observation>& observations, std::vector<Unk
 void add_floor(const std::vector<Observation>& observations, std::vector<Unknown>& unknowns) {
     for (int group = 0; group < kFloorGroups; ++group) {
         const auto present = [&](const Observation& observation) {
-            return std::any_of(observation.channels.begin(), observation.channels.end(),
+            return !observation.scalar &&
+                   std::any_of(observation.channels.begin(), observation.channels.end(),
                                [&](const ObservedChannel& channel) { return floor_group(channel.response) == group; });
         };
         if (std::none_of(observations.begin(), observations.end(), present)) continue;
@@ -122,7 +164,8 @@ pem::CaseParameters case_of(const Trial& trial, const BelievedCase& believed, co
     pem::CaseParameters parameters = trial.numbers;
     apply(trial.effects, believed.access, parameters, true);
     parameters.vehicle.payload_kg = observation.payload_kg;
-    parameters.solver.moving = true;
+    // Quoted spectra and hammer tests do not say that the wheels moved; what the case says of it holds.
+    if (!observation.scalar) parameters.solver.moving = true;
     parameters.frequency.to_hz = observation.expectation.high_hz + 10.0;
     return parameters;
 }
@@ -132,6 +175,8 @@ Trial believed_trial(const BelievedCase& believed, const std::vector<Observation
     for (const Observation& observation : observations) {
         trial.speed_m_per_s.push_back(observation.speed_m_per_s);
         trial.noise_psd.push_back(observation.noise_psd);
+        trial.discrepancy.push_back(observation.scalar ? kScalarDiscrepancy : 0.0);
+        trial.log_gain.emplace_back(observation.channels.size(), 0.0);
     }
     return trial;
 }
@@ -147,17 +192,7 @@ std::vector<Unknown> nuisance_unknowns(const BelievedCase& believed, const std::
                             .set = [&access = believed.access, number](Trial& trial, double x) {
                                 access.set(trial.numbers, number.key, number.value * std::exp(x));
                             }});
-    add_irregularity(observations, unknowns);
-    unknowns.push_back({.kind = UnknownKind::irregularity,
-                        .name = "irregularity level",
-                        .deviation = kLevelDeviation,
-                        .low = -4.0,
-                        .high = 4.0,
-                        .step = 1e-5,
-                        .index = -1,
-                        .set = [level = believed.numbers.irregularity.level_db](Trial& trial, double x) {
-                            trial.numbers.irregularity.level_db = level + x * 10.0 / std::log(10.0);
-                        }});
+    add_irregularity(believed, observations, unknowns);
     const double passing = believed.numbers.sleeper_passing.amplitude_factor;
     if (passing > 0.0)
         unknowns.push_back({.kind = UnknownKind::passing,

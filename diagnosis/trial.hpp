@@ -22,6 +22,8 @@ struct Trial {
     std::vector<EffectInstance> effects;
     std::vector<double> speed_m_per_s;            ///< per observation
     std::vector<std::vector<double>> noise_psd;   ///< per observation and channel
+    std::vector<double> discrepancy;              ///< per observation: relative deviation of a scalar value that the model class cannot say
+    std::vector<std::vector<double>> log_gain;    ///< per observation and channel: of a scalar level whose unit cannot be trusted
     /// Relative amplitude of what the model class cannot say, incoherent between channels: [group][node].
     std::vector<double> floor = std::vector<double>(kFloorGroups * kFloorNodeCount, 0.0);
 };
@@ -37,7 +39,7 @@ struct FloorPlace {
 FloorPlace floor_place(double frequency_hz);
 
 /// What an unknown moves.
-enum class UnknownKind { number, effect, irregularity, passing, correction, gain, speed, noise, floor };
+enum class UnknownKind { number, effect, irregularity, passing, correction, gain, speed, noise, floor, discrepancy };
 
 /// An unknown in a coordinate of its own (logarithm of a factor, say) with a Gaussian belief and bounds.
 struct Unknown {

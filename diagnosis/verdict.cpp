@@ -139,7 +139,8 @@ std::string place_in_words(const Diagnosis& diagnosis) {
 }  // namespace
 
 std::string statement_of(const Diagnosis& diagnosis) {
-    const std::string gain = fmt::format("Per second of record the misfit is {:.3g} nats after retuning and {:.3g} with it; on what no fit has seen {:.3g} and {:.3g}.",
+    const std::string gain = fmt::format("Per {} the misfit is {:.3g} nats after retuning and {:.3g} with it; on what no fit has seen {:.3g} and {:.3g}.",
+                                         diagnosis.per_value ? "value" : "second of record",
                                          -diagnosis.retuned.log_likelihood_per_second, -diagnosis.after.log_likelihood_per_second,
                                          -diagnosis.held_out_retuned.log_likelihood_per_second, -diagnosis.held_out_after.log_likelihood_per_second);
     switch (diagnosis.verdict) {

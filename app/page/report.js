@@ -2,7 +2,7 @@
 (function () {
   const data = pageData();
   const band = (id, channel) => ({ id, x: 'third octave, Hz', y: 'recording over model, dB', yType: 'linear', f: channel.centres, sets: channel.bands });
-  const spectrum = (id, channel) => ({ id, x: 'frequency, Hz', y: 'PSD, (m/s²)²/Hz', yType: 'logarithmic', f: channel.f, sets: channel.sets });
+  const spectrum = (id, channel) => ({ id, x: 'frequency, Hz', y: channel.quantity, yType: 'logarithmic', f: channel.f, sets: channel.sets });
   const charts = (which, channel) => [spectrum(which + '_spectrum', channel), band(which + '_bands', channel)]
     .filter((chart) => chart.sets.length && chart.f.length);
   if (data.channels.length) {

@@ -61,9 +61,15 @@ Json band_sets(const ChannelComparison& channel) {
     return sets;
 }
 
+std::string axis_of(const std::string& quantity) {
+    if (quantity == "receptance_m_per_n") return "receptance, m/N";
+    return quantity == "decay_rate_db_per_m" ? "decay rate, dB/m" : "PSD, (m/s²)²/Hz";
+}
+
 Json channel_json(const ChannelComparison& channel) {
     const std::vector<recordings::BinGroup> groups = recordings::bin_groups(channel.frequency_hz);
     return {{"name", name_of(channel)},
+            {"quantity", axis_of(channel.quantity)},
             {"f", numbers(group_means(groups, channel.frequency_hz))},
             {"sets", spectra_sets(channel, groups)},
             {"centres", numbers(channel.band_centre_hz)},

@@ -1,0 +1,72 @@
+#include "diagnosis/reuse.hpp"
+
+#include <algorithm>
+
+#include "diagnosis/shows.hpp"
+
+namespace railpem::diagnosis {
+
+namespace {
+
+/// Linearised laws depend on the excitation.
+bool depends_on_level(const Trial& trial) {
+    return trial.numbers.vehicle.primary.friction_force_n > 0.0 || trial.numbers.vehicle.secondary.friction_force_n > 0.0 ||
+           trial.numbers.contact.nonlinearity_factor > 0.0 ||
+           std::any_of(trial.effects.begin(), trial.effects.end(), [](const EffectInstance& effect) {
+               return effect.effect == "suspension-friction" || effect.effect == "contact-nonlinearity";
+           });
+}
+
+Reuse shared_with(const Trial& trial, Element element) {
+    switch (element) {
+        case Element::irregularity: return depends_on_level(trial) ? Reuse::rail : Reuse::transfers;
+        case Element::pad:
+        case Element::rail:
+        case Element::support: return Reuse::nothing;
+        default: break;
+    }
+    // The wheel load moves the pads where their stiffness follows it.
+    const bool load_matters = trial.numbers.track.statics.wheel_load_n == 0.0 &&
+                              (trial.numbers.track.pads.preload_strength > 0.0 ||
+                               std::any_of(trial.effects.begin(), trial.effects.end(),
+                                           [](const EffectInstance& effect) { return effect.effect == "pad-preload-stiffening"; }));
+    return load_matters ? Reuse::nothing : Reuse::rail;
+}
+
+}  // namespace
+
+Reuse shared_with(const Trial& trial, const Unknown& unknown) {
+    switch (unknown.kind) {
+        case UnknownKind::irregularity:
+        case UnknownKind::passing: return shared_with(trial, Element::irregularity);
+        case UnknownKind::number: return shared_with(trial, element_of_key(unknown.name));
+        case UnknownKind::effect: return shared_with(trial, trial.effects[static_cast<std::size_t>(unknown.index)]);
+        case UnknownKind::correction: return shared_with(trial, unknown.element);
+        case UnknownKind::gain: return Reuse::transfers;
+        default: return Reuse::nothing;
+    }
+}
+
+Reuse shared_with(const Trial& trial, const EffectInstance& effect) {
+    return shared_with(trial, element_of(*find_effect(effect.effect), effect));
+}
+
+bool moves(const Unknown& unknown, const Trial& trial, const Observation& observation, std::size_t o) {
+    if (unknown.observation >= 0 && unknown.observation != static_cast<int>(o)) return false;
+    switch (unknown.kind) {
+        case UnknownKind::noise:
+        case UnknownKind::floor:
+        case UnknownKind::discrepancy: return false;
+        case UnknownKind::number: return reaches(observation, element_of_key(unknown.name));
+        case UnknownKind::correction: return reaches(observation, unknown.element);
+        case UnknownKind::irregularity:
+        case UnknownKind::passing: return reaches(observation, Element::irregularity);
+        case UnknownKind::effect: {
+            const EffectInstance& instance = trial.effects[static_cast<std::size_t>(unknown.index)];
+            return could_show(observation, *find_effect(instance.effect));
+        }
+        default: return true;
+    }
+}
+
+}  // namespace railpem::diagnosis
