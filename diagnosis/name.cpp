@@ -10,6 +10,7 @@ namespace railpem::diagnosis {
 
 namespace {
 
+constexpr double kLeastRelease = 3.0;           ///< nats to first order; what a wrong belief distorts is seen too small from there
 constexpr double kReleasedDeviation = 1.15;     ///< half of log 10: a factor between a tenth and ten
 constexpr double kLogPriorOfSomething = -0.7;   ///< something is missing as often as not
 constexpr double kLogPriorOfAnother = -2.3;     ///< and one time in ten another thing beside it
@@ -209,7 +210,7 @@ class Search {
 
     void first_round() {
         const std::vector<Candidate> chosen = worth_refitting(result_.first_promises, result_.candidates, options_.least_promise, options_.refits);
-        const std::vector<std::string> keys = worth_releasing(result_.retuned.fit, {}, options_.least_promise, 2);
+        const std::vector<std::string> keys = worth_releasing(result_.retuned.fit, {}, kLeastRelease, 2);
         const double step = 0.4 / static_cast<double>(chosen.size() + keys.size() + 1);
         double share = 0.25;
         for (const Candidate& candidate : chosen) try_set(result_.retuned.fit, {candidate}, {}, share += step);
@@ -246,7 +247,7 @@ class Search {
             const double score = try_set(from.fit, with, from.released, share).score();
             if (score > highest) highest = score, winner = &candidate;
         }
-        for (const std::string& key : worth_releasing(from.fit, from.released, options_.least_promise, 1)) {
+        for (const std::string& key : worth_releasing(from.fit, from.released, kLeastRelease, 1)) {
             std::vector<std::string> released = from.released;
             released.push_back(key);
             try_set(from.fit, from.effects, released, share);

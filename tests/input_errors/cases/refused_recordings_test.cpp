@@ -56,7 +56,9 @@ TEST(RefusedRecordings, SameEvidenceTwice) {
     const ProgramFolder folder;
     folder.write("case.toml", minimal_case());
     folder.write("psd.toml", std::string("kind = \"psd\"\ndata = \"data.csv\"\nspeed_m_per_s = 20.0\n") + kWheel);
-    folder.write("data.csv", kSpectrum);
+    std::string spectrum = "frequency_hz,w\n";  // within the band that the case's irregularity excites at 20 m/s
+    for (int i = 0; i < 40; ++i) spectrum += std::to_string(3.0 + 0.3 * i) + ",1.0\n";
+    folder.write("data.csv", spectrum);
     const Outcome twice = folder.run({"diagnose", "case.toml", "psd.toml", "./psd.toml", "--out", "results"});
     EXPECT_EQ(twice.status, 2);
     EXPECT_TRUE(says(twice, "the same recording twice")) << twice.message;
