@@ -57,14 +57,16 @@ void compare_scalars(const Stages& stages, const Observation& observation, std::
             result.band_retuned_db.push_back(band_difference(retuned, values, db));
             result.band_diagnosed_db.push_back(band_difference(diagnosed, values, db));
             for (const std::size_t i : values) {
-                const double level = std::exp(data.values[i].log_value.real()), reach = std::exp(kNinety * data.values[i].deviation);
+                const double raised = std::exp(data.values[i].log_value.real()), level = raised - data.values[i].pedestal;
+                const auto model = [&](const ExpectedSpectra& prediction) { return raised * std::exp(prediction.values[i].real()) - data.values[i].pedestal; };
+                const double reach = std::exp(kNinety * data.values[i].deviation * raised / level);
                 result.frequency_hz.push_back(data.values[i].frequency_hz);
                 result.measured.push_back(level);
                 result.low.push_back(level / reach);
                 result.high.push_back(level * reach);
-                result.believed.push_back(level * std::exp(believed.values[i].real()));
-                result.retuned.push_back(level * std::exp(retuned.values[i].real()));
-                result.diagnosed.push_back(level * std::exp(diagnosed.values[i].real()));
+                result.believed.push_back(model(believed));
+                result.retuned.push_back(model(retuned));
+                result.diagnosed.push_back(model(diagnosed));
             }
         }
         channels.push_back(std::move(result));

@@ -21,6 +21,7 @@ constexpr double kSpectrumDeviation = 0.10;    ///< of a level whose accuracy no
 constexpr double kReceptanceDeviation = 0.05;  ///< of a hammer test
 constexpr double kDecayDeviation = 0.15;       ///< of a decay rate in a third-octave (reproducibility of EN 15461)
 constexpr double kLeastDeviation = 1e-3;
+constexpr double kPedestal = 0.05;             ///< of the mean level of the third-octave: 13 dB below it
 constexpr double kEdge = 0.9;                  ///< as for time series: inside of what the irregularity excites
 constexpr double kCellsPerOctave = 12.0;       ///< values closer than that share their discrepancy
 constexpr int kHeldOutBand = 4;                ///< one third-octave in so many is held out
@@ -85,6 +86,26 @@ void leave_out_passing(const pem::CaseParameters& believed, double speed, Scalar
         data.lacks.push_back(fmt::format("{} lines beside the passing frequency of the sleepers and its multiples are left out", before - data.values.size()));
 }
 
+/// Four wheels make zeros, which no window resolves and which a hair's breadth of speed moves. A level far below the mean of its
+/// third-octave is not believed; without a scale nothing can be added to it, and it is left out.
+void raise_zeros(const std::vector<bool>& unknown_scale, ScalarData& data) {
+    std::map<std::pair<std::size_t, long>, std::pair<double, double>> sums;
+    const auto band = [](const ScalarValue& value) { return std::pair(value.channel, std::lround(10.0 * std::log10(value.frequency_hz))); };
+    for (const ScalarValue& value : data.values) {
+        auto& [sum, count] = sums[band(value)];
+        sum += std::exp(value.log_value.real());
+        count += 1.0;
+    }
+    for (ScalarValue& value : data.values) value.pedestal = kPedestal * sums[band(value)].first / sums[band(value)].second;
+    std::erase_if(data.values, [&](const ScalarValue& value) { return unknown_scale[value.channel] && std::exp(value.log_value.real()) < value.pedestal; });
+    for (ScalarValue& value : data.values) {
+        if (unknown_scale[value.channel]) value.pedestal = 0.0;
+        const double level = std::exp(value.log_value.real());
+        value.log_value = std::log(level + value.pedestal);
+        value.deviation *= level / (level + value.pedestal);
+    }
+}
+
 void prepare_spectrum(const recordings::Recording& recording, const pem::CaseParameters& believed, const ObservationOptions& options, Observation& observation) {
     observation.speed_m_per_s = recording.description.speed_m_per_s;
     if (!(observation.speed_m_per_s > 0.0))
@@ -113,6 +134,7 @@ void prepare_spectrum(const recordings::Recording& recording, const pem::CasePar
     if (recording.description.kind == RecordingKind::psd) {
         observation.scalar->resolution_hz = spacing_of(recording.spectra);
         leave_out_passing(believed, v, *observation.scalar);
+        raise_zeros(observation.unknown_scale, *observation.scalar);
     }
     if (observation.scalar->values.empty())
         throw ParameterError("speed_m_per_s",

@@ -113,7 +113,7 @@ std::vector<Complex> channel_levels(pem::CaseParameters parameters, double speed
     }
     const ChannelPsd psd(parameters, speed, observation, reuse == Reuse::transfers ? known->transfers : own);
     std::vector<Complex> levels;
-    for (const ScalarValue& value : observation.scalar->values) levels.emplace_back(std::log(psd(value.channel, value.frequency_hz)), 0.0);
+    for (const ScalarValue& value : observation.scalar->values) levels.emplace_back(std::log(psd(value.channel, value.frequency_hz) + value.pedestal), 0.0);
     return levels;
 }
 

@@ -17,6 +17,8 @@ struct ScalarValue {
     std::complex<double> log_value;  ///< natural logarithm; the imaginary part is the phase, where it is known
     double deviation = 0.1;          ///< standard deviation of the logarithm (and of the phase, rad)
     double sharing = 1.0;            ///< values within the same twelfth of an octave: they share their discrepancy
+    double pedestal = 0.0;           ///< psd: added to measured and model before the logarithm, so that zeros of the comb of the wheels
+                                     ///< do not count for what no window could resolve
     bool held_out = false;           ///< no fit sees it
 };
 
