@@ -156,6 +156,11 @@ bool adds_power(const EffectInstance& instance) {
     return instance.effect == "sensor-gain" && instance.values.at("gain") < 0.0;
 }
 
+/// Its square is the power that an effect adds.
+bool is_amplitude(const EffectParameter& parameter) {
+    return parameter.strength && (parameter.name == "amplitude_m" || parameter.name == "rms_m" || parameter.name == "depth_m" || parameter.name == "rms_m_per_s2");
+}
+
 /// A strength `steps` probes away from nothing.
 double near_nothing(const EffectParameter& parameter, double steps) {
     if (!std::isfinite(parameter.nothing)) return parameter.high / (kProbe * steps);
@@ -208,7 +213,12 @@ CandidateList candidates(const BelievedCase& believed, const Trial& trial, const
 
 Candidate started_at(const Candidate& candidate, double strength) {
     Candidate started = candidate;
-    if (adds_power(candidate.instance)) return started;
+    const bool power = adds_power(candidate.instance);
+    for (const EffectParameter& parameter : find_effect(candidate.instance.effect)->parameters)
+        if (power && is_amplitude(parameter) && candidate.instance.values.count(parameter.name) && strength > 0.0)
+            started.instance.values[parameter.name] =
+                std::clamp(candidate.instance.values.at(parameter.name) * std::sqrt(strength), parameter.low, parameter.high);
+    if (power) return started;
     for (const EffectParameter& parameter : find_effect(candidate.instance.effect)->parameters)
         if (parameter.strength && candidate.instance.values.count(parameter.name) && std::abs(strength) > 1.0)
             started.instance.values[parameter.name] = std::clamp(near_nothing(parameter, strength), parameter.low, parameter.high);

@@ -32,7 +32,8 @@ struct CandidateList {
 /// Values beyond tolerance (parameter-error) are not among them: the retuned fit tells those by itself.
 CandidateList candidates(const BelievedCase& believed, const Trial& trial, const std::vector<Observation>& observations);
 
-/// The candidate started at `strength` probes from nothing (to first order), within its range.
+/// The candidate started at `strength` probes (to first order), within its range: of what vanishes with its strength so many steps
+/// from nothing, of what adds a power that much of it.
 Candidate started_at(const Candidate& candidate, double strength);
 
 /// The same effect in the same place: identifier and choices agree.

@@ -20,7 +20,10 @@ namespace railpem::diagnosis {
 namespace {
 
 constexpr double kNinety = 1.6449;
-constexpr int kAnonymousFits = 2;  ///< places whose free correction is fitted in full
+constexpr int kAnonymousFits = 2;       ///< places whose free correction is fitted in full
+constexpr int kAnonymousIterations = 12;
+constexpr double kAnonymousGain = 1.0;  ///< nats: a score that decides between names within 3 needs no more
+constexpr double kRoomForCurve = 300.0; ///< nats that a correction may stay behind the named set and still draw its curve
 
 class Diagnosing {
   public:
@@ -69,7 +72,9 @@ class Diagnosing {
             const LocatedEvidence& own = ranked[static_cast<std::size_t>(i)];
             if (own.nats < options_.naming.least_promise) break;
             say("free correction of the " + element_name(own.place.element), 0.82 + 0.05 * i);
-            study_.anonymous.push_back(fit_set(believed_, naming_.retuned.fit, {}, {}, {own.place}, context_, near_));
+            FitOptions fit_options{.iterations = kAnonymousIterations, .least_gain = kAnonymousGain, .from_far = false};
+            if (!naming_.sets.empty()) fit_options.rival = naming_.sets.front().fit.log_posterior - kRoomForCurve;
+            study_.anonymous.push_back(fit_correction(believed_, naming_.retuned.fit, own, context_, fit_options));
         }
     }
 

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <string>
 
+#include "diagnosis/kernel_smoothing.hpp"
 #include "pem/excitation.hpp"
 #include "pem/linearise.hpp"
 #include "pem/sensor_chain.hpp"
@@ -62,12 +63,31 @@ FineGrid fine_grid(const recordings::WindowKernel& kernel, std::size_t first_bin
     return {kernel.bin_hz() / oversampling, first, last - first + 1};
 }
 
+/// The coarse grid of the transfers, which covers the fine one.
+struct TransferGrid {
+    double from_hz;
+    std::size_t lines;
+};
+
+TransferGrid transfer_grid(const FineGrid& grid, const ExpectationOptions& options) {
+    const double from = std::max(options.transfer_step_hz, grid.frequency(0) - 2.0 * options.transfer_step_hz);
+    return {from, static_cast<std::size_t>((grid.frequency(grid.count) - from) / options.transfer_step_hz) + 4};
+}
+
+/// The rail on that grid. What hangs on it or bends below it may be as narrow as the vehicle's modes; a rail on pads is not, and is
+/// solved at every few lines only.
+std::vector<pem::RailGroup> channel_rails(const pem::CaseParameters& parameters, const pem::CoupledModel& model, const FineGrid& grid,
+                                          const ExpectationOptions& options) {
+    const bool narrow = !parameters.track.rail_dampers.empty() || !parameters.track.support.bending_modes.empty();
+    const TransferGrid own = transfer_grid(grid, options);
+    return pem::rail_groups(model, own.from_hz, options.transfer_step_hz, own.lines, narrow ? 1 : options.rail_every, options.threads);
+}
+
 /// The transfers from the four wheels to all channels on a coarse grid that covers the fine one, sensors included.
 pem::WheelTransfers channel_transfers(const pem::CaseParameters& parameters, const pem::CoupledModel& model,
                                       const std::vector<ObservedChannel>& channels, const FineGrid& grid,
                                       const ExpectationOptions& options, std::vector<pem::RailGroup>* rails) {
-    const double from = std::max(options.transfer_step_hz, grid.frequency(0) - 2.0 * options.transfer_step_hz);
-    const std::size_t lines = static_cast<std::size_t>((grid.frequency(grid.count) - from) / options.transfer_step_hz) + 4;
+    const auto [from, lines] = transfer_grid(grid, options);
     std::vector<std::size_t> responses;
     for (const ObservedChannel& channel : channels) responses.push_back(channel.response);
     pem::WheelTransfers transfers =
@@ -129,43 +149,6 @@ std::vector<Complex> fine_responses(const pem::WheelTransfers& transfers, const 
         }
     }
     return y;
-}
-
-/// Σ_i weight_i·product_i over 2·reach + 1 fine lines.
-Complex weighted_sum(const double* weight, const Complex* product, std::size_t count) {
-    const double* values = reinterpret_cast<const double*>(product);  // real and imaginary parts in turn
-    double re = 0.0, im = 0.0;
-#pragma omp simd reduction(+ : re, im)
-    for (std::size_t i = 0; i < count; ++i) {
-        re += weight[i] * values[2 * i];
-        im += weight[i] * values[2 * i + 1];
-    }
-    return {re, im};
-}
-
-/// Adds ∫K S df' of a rank-one source to the matrices.
-void add_broadband(const std::vector<Complex>& y, const recordings::KernelWeights& kernel, const FineGrid& grid,
-                   ExpectedSpectra& expected) {
-    const std::size_t reach = static_cast<std::size_t>(kernel.reach_bins * kernel.oversampling);
-    const std::size_t size = expected.channels, bins = expected.bins();
-    std::vector<Complex> product(grid.count);
-    for (std::size_t a = 0; a < size; ++a)
-        for (std::size_t b = 0; b <= a; ++b) {
-            const Complex *first = &y[a * grid.count], *second = &y[b * grid.count];
-            for (std::size_t i = 0; i < grid.count; ++i)
-                product[i] = {first[i].real() * second[i].real() + first[i].imag() * second[i].imag(),
-                              first[i].imag() * second[i].real() - first[i].real() * second[i].imag()};
-            for (std::size_t bin = 0; bin < bins; ++bin) {
-                const std::size_t centre = (expected.first_bin + bin) * static_cast<std::size_t>(kernel.oversampling);
-                const std::size_t from = std::max(grid.first, centre > reach ? centre - reach : 0);
-                const std::size_t to = std::min(grid.first + grid.count - 1, centre + reach);
-                const Complex sum =
-                    weighted_sum(&kernel.weights[from + reach - centre], &product[from - grid.first], to - from + 1);
-                Complex* matrix = &expected.values[bin * size * size];
-                matrix[b * size + a] += sum;
-                if (a != b) matrix[a * size + b] += std::conj(sum);
-            }
-        }
 }
 
 /// Adds the lines of a set: each a Gaussian of the speed's fluctuation, smoothed by the kernel (five-point
@@ -251,15 +234,19 @@ ExpectedSpectra expected_spectra(const pem::CaseParameters& parameters, double s
         if (pem::is_nonlinear(parameters)) pem::linearise(parameters, pem::excitation_sources(parameters, wheels, speed), model);
         std::vector<pem::RailGroup> rails;
         if (reuse == Reuse::rail) rails = known->rails;
+        else rails = channel_rails(parameters, model, grid, options);
         own = channel_transfers(parameters, model, channels, grid, options, &rails);
-        if (filled) *filled = {std::move(rails), own};
+        if (filled) *filled = {std::move(rails), own, pem::track_excitation(parameters, wheels, speed)};
     }
+    // With the rail the track and its speed are those of the cache; pads that stiffen under load do not share it.
+    const pem::TrackExcitation* track = filled ? &filled->track : reuse != Reuse::nothing ? &known->track : nullptr;
     const pem::WheelTransfers& transfers = reuse == Reuse::transfers ? known->transfers : own;
     const recordings::KernelWeights weights =
         options.weights.weights.empty() ? expectation_weights(kernel, options.oversampling) : options.weights;
-    const pem::Excitation excitation = pem::excitation(parameters, wheels, speed);
+    const pem::Excitation excitation = pem::excitation(parameters, wheels, speed, track);
     for (const pem::DelayedSpectrum& source : excitation.broadband)
-        add_broadband(fine_responses(transfers, source, wheels, speed, grid), weights, grid, expected);
+        add_smoothed(fine_responses(transfers, source, wheels, speed, grid), channels.size(), weights,
+                     {.first = grid.first, .count = grid.count, .first_bin = expected.first_bin, .bins = bins}, expected.values);
     for (const pem::LineSet& set : excitation.lines) add_lines(parameters, transfers, set, kernel, expected);
     add_sensor_noise(parameters, channels, bin, expected);
     for (std::size_t b = 0; b < bins; ++b)

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "pem/case_parameters.hpp"
+#include "pem/excitation.hpp"
 #include "pem/wheel_transfers.hpp"
 #include "recordings/cross_spectra.hpp"
 
@@ -43,6 +44,7 @@ struct ExpectationOptions {
     double low_hz = 4.0;
     double high_hz = 175.0;
     double transfer_step_hz = 0.5;  ///< grid of the single-wheel transfers, which are smooth
+    int rail_every = 4;             ///< the rail is smoother still: solved at one line of that grid in so many
     int oversampling = 4;           ///< fine lines per bin; at least 2·(1 + longest wheel delay/segment)
     int threads = 0;
     recordings::KernelWeights weights;  ///< of the kernel, when whoever asks often has them already; else computed
@@ -58,6 +60,7 @@ recordings::KernelWeights expectation_weights(const recordings::WindowKernel& ke
 struct ExpectationCache {
     std::vector<pem::RailGroup> rails;
     pem::WheelTransfers transfers;
+    pem::TrackExcitation track;
 };
 
 /// What may be taken from the cache: nothing, the rail (track and speed are the same) or all transfers (only the

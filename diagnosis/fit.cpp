@@ -13,7 +13,12 @@ namespace {
 
 constexpr double kFirstDamping = 1e-3;
 constexpr double kMostDamping = 1e6;
-constexpr double kLongestStep = 3.0;  ///< in deviations of the belief
+constexpr double kLongestStep = 3.0;      ///< in deviations of the belief
+constexpr double kLongestLogStep = 1.0;   ///< of noise and floor: far below what shows, their slope promises anything
+constexpr int kSettleIterations = 3;      ///< of noise and floor alone, after every step
+constexpr double kWorthSettling = 2.0;    ///< nats promised by a step, after which noise and floor are settled
+constexpr double kHope = 3.0;             ///< times its promise, a fit may still climb
+constexpr double kHopeless = 30.0;        ///< nats that a fit must stay behind, hope included, to be given up
 
 struct State {
     Trial trial;
@@ -52,8 +57,8 @@ struct Normal {
     Eigen::MatrixXd information;
 };
 
-Normal normal_equations(const State& state, const std::vector<Unknown>& unknowns, const LikelihoodContext& context) {
-    const std::vector<PredictionDerivative> derivatives = differentiate(state.trial, unknowns, state.values, state.predictions, context);
+Normal normal_equations(const State& state, const std::vector<Unknown>& unknowns, const std::vector<PredictionDerivative>& derivatives,
+                        const LikelihoodContext& context) {
     const LikelihoodSlope slope = likelihood_slope(state.trial, unknowns, state.predictions, derivatives, context);
     Normal normal{.gradient = slope.gradient, .curvature = slope.information, .information = slope.information};
     for (std::size_t i = 0; i < unknowns.size(); ++i) {
@@ -81,45 +86,71 @@ Eigen::VectorXd damped_step(const Normal& normal, const State& state, const std:
     return matrix.ldlt().solve(gradient);
 }
 
+bool is_diagonal(const Unknown& unknown) { return unknown.kind == UnknownKind::noise || unknown.kind == UnknownKind::floor; }
+
 std::vector<double> moved(const State& state, const std::vector<Unknown>& unknowns, const Eigen::VectorXd& step) {
     std::vector<double> values = state.values;
     for (std::size_t i = 0; i < values.size(); ++i) {
-        const double longest = kLongestStep * unknowns[i].deviation;
+        const double longest = is_diagonal(unknowns[i]) ? kLongestLogStep : kLongestStep * unknowns[i].deviation;
         values[i] += std::clamp(step(static_cast<long>(i)), -longest, longest);
         values[i] = std::clamp(values[i], unknowns[i].low, unknowns[i].high);
     }
     return values;
 }
 
-/// Climbs at one floor. Returns true when a further step promises too little.
-bool climb(const Trial& base, const std::vector<Unknown>& unknowns, const LikelihoodContext& context, const FitOptions& options,
-           int most, double& damping, State& state, int& iterations, Normal* last = nullptr) {
+/// Noise and floor alone: the predictions stay, so that a step costs next to nothing. As the numbers come nearer, what was taken for
+/// floor shrinks, and the next step of the numbers sees sharper.
+void settle(const std::vector<Unknown>& unknowns, const LikelihoodContext& context, State& state) {
+    for (int i = 0; i < kSettleIterations; ++i) {
+        Normal normal = normal_equations(state, unknowns, {}, context);
+        for (std::size_t u = 0; u < unknowns.size(); ++u)
+            if (!is_diagonal(unknowns[u])) normal.gradient(static_cast<long>(u)) = 0.0;
+        const Eigen::VectorXd step = damped_step(normal, state, unknowns, 0.0);
+        if (0.5 * step.dot(normal.gradient) < kWorthSettling) return;
+        std::vector<double> values = moved(state, unknowns, step);
+        Trial trial = state.trial;
+        set_values(trial, unknowns, values);
+        const double own = log_likelihood(trial, state.predictions, context), posterior = own + log_belief(unknowns, values);
+        if (!(posterior > state.log_posterior)) return;
+        state.trial = std::move(trial);
+        state.values = std::move(values);
+        state.log_likelihood = own;
+        state.log_posterior = posterior;
+    }
+}
+
+/// How a climb ended.
+enum class End { top, tired, hopeless };
+
+/// Climbs at one floor.
+End climb(const Trial& base, const std::vector<Unknown>& unknowns, const LikelihoodContext& context, const FitOptions& options,
+          int most, double& damping, State& state, int& iterations, Normal* last = nullptr) {
     for (int i = 0; i < most; ++i) {
         if (options.between) options.between();
-        const Normal normal = normal_equations(state, unknowns, context);
+        const Normal normal = normal_equations(state, unknowns, differentiate(state.trial, unknowns, state.values, state.predictions, context), context);
         ++iterations;
         bool better = false;
-        while (damping < kMostDamping) {
+        while (damping < kMostDamping && !better) {
             const Eigen::VectorXd step = damped_step(normal, state, unknowns, damping);
-            if (0.5 * step.dot(normal.gradient) < options.least_gain) {
+            const double promise = 0.5 * step.dot(normal.gradient);
+            const bool hopeless = state.log_posterior + kHope * promise + kHopeless < options.rival;
+            if (promise < options.least_gain || hopeless) {
                 if (last) *last = normal;
-                return true;
+                return hopeless ? End::hopeless : End::top;
             }
             State next = state_at(base, unknowns, moved(state, unknowns, step), context);
             better = next.log_posterior > state.log_posterior;
-            if (better) {
-                state = std::move(next);
-                damping = std::max(damping / 10.0, 1e-9);
-                break;
-            }
-            damping *= 10.0;
+            damping = better ? std::max(damping / 10.0, 1e-9) : damping * 10.0;
+            if (!better) continue;
+            state = std::move(next);
+            if (promise > kWorthSettling) settle(unknowns, context, state);
         }
         if (!better) {
             damping = kFirstDamping;
-            return false;
+            return End::tired;
         }
     }
-    return false;
+    return End::tired;
 }
 
 }  // namespace
@@ -133,6 +164,10 @@ const Unknown* Fit::find(const std::string& name, std::size_t* index) const {
             return &unknowns[i];
         }
     return nullptr;
+}
+
+double log_posterior_at(const Trial& base, const std::vector<Unknown>& unknowns, std::vector<double> values, const LikelihoodContext& context) {
+    return state_at(base, unknowns, std::move(values), context).log_posterior;
 }
 
 std::vector<double> means(const std::vector<Unknown>& unknowns) {
@@ -151,13 +186,16 @@ Fit fit(const Trial& base, std::vector<Unknown> unknowns, std::vector<double> st
         for (const double floor : options.stages) {
             stage.least_floor = floor;
             State state = state_at(base, unknowns, std::move(values), stage);
+            settle(unknowns, stage, state);
             climb(base, unknowns, stage, options, options.stage_iterations, damping, state, result.iterations);
             values = std::move(state.values);
         }
     State state = state_at(base, unknowns, std::move(values), context);
+    settle(unknowns, context, state);
     Normal normal;
-    result.converged = climb(base, unknowns, context, options, options.iterations, damping, state, result.iterations, &normal);
-    if (!result.converged) normal = normal_equations(state, unknowns, context);
+    const End end = climb(base, unknowns, context, options, options.iterations, damping, state, result.iterations, &normal);
+    result.converged = end == End::top;
+    if (end == End::tired) normal = normal_equations(state, unknowns, differentiate(state.trial, unknowns, state.values, state.predictions, context), context);
     const long size = static_cast<long>(unknowns.size());
     Eigen::VectorXd deviations(size);
     for (long i = 0; i < size; ++i) deviations(i) = unknowns[static_cast<std::size_t>(i)].deviation;

@@ -11,11 +11,12 @@ namespace railpem::diagnosis {
 
 /// A fit's way and end.
 struct FitOptions {
-    int iterations = 12;           ///< at the last stage
+    int iterations = 20;           ///< at the last stage
     double least_gain = 0.1;       ///< nats: the fit ends when a step promises less
     bool from_far = true;          ///< begin with a blunt likelihood (large floor) that is sharpened in stages
     std::vector<double> stages = {0.1, 0.02, 0.004};  ///< floors of the blunt likelihoods, when it begins with them
     int stage_iterations = 2;
+    double rival = -1e300;         ///< log-posterior of the best rival: a fit that cannot come near is given up
     std::function<void()> between; ///< called between steps; may throw to stop
 };
 
@@ -36,6 +37,9 @@ struct Fit {
     double deviation(std::size_t unknown) const;  ///< standard deviation of an unknown
     const Unknown* find(const std::string& name, std::size_t* index = nullptr) const;
 };
+
+/// Log-posterior at given values, without climbing; −∞ where physics forbids them.
+double log_posterior_at(const Trial& base, const std::vector<Unknown>& unknowns, std::vector<double> values, const LikelihoodContext& context);
 
 /// Fits `unknowns` from `start` by Fisher scoring with Levenberg damping within the bounds.
 Fit fit(const Trial& base, std::vector<Unknown> unknowns, std::vector<double> start, const LikelihoodContext& context,

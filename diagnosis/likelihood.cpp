@@ -10,6 +10,7 @@
 
 #include "diagnosis/predict_scalars.hpp"
 #include "diagnosis/scalar_likelihood.hpp"
+#include "diagnosis/whitened_columns.hpp"
 
 namespace railpem::diagnosis {
 
@@ -73,96 +74,93 @@ WhitenedBin whiten(const Trial& trial, const Observation& observation, std::size
     return result;
 }
 
-/// A Hermitian matrix as a real vector whose dot products are tr(AB).
-template <class Source>
-void pack(const Source& matrix, double* out) {
-    const double root = std::sqrt(2.0);
-    for (long column = 0; column < matrix.cols(); ++column) {
-        *out++ = matrix(column, column).real();
-        for (long row = column + 1; row < matrix.rows(); ++row) {
-            *out++ = root * matrix(row, column).real();
-            *out++ = root * matrix(row, column).imag();
-        }
-    }
-}
-
-/// The columns of one bin: which unknowns move it and their whitened derivatives.
-class BinColumns {
-  public:
-    BinColumns(std::size_t unknowns, std::size_t size) : columns_(static_cast<long>(size * size), static_cast<long>(unknowns)) {}
-    void clear() { active_.clear(); }
-    template <class Source>
-    void add(int unknown, const Source& whitened) {
-        pack(whitened, columns_.col(static_cast<long>(active_.size())).data());
-        active_.push_back(unknown);
-    }
-    void accumulate(double weight, const Eigen::VectorXd& residual, LikelihoodSlope& slope) {
-        const long count = static_cast<long>(active_.size());
-        const auto block = columns_.leftCols(count);
-        product_.setZero(count, count);
-        product_.selfadjointView<Eigen::Lower>().rankUpdate(block.transpose(), weight);
-        const Eigen::VectorXd gradient = weight * (block.transpose() * residual);
-        for (long i = 0; i < count; ++i) {
-            slope.gradient(active_[static_cast<std::size_t>(i)]) += gradient(i);
-            for (long j = 0; j <= i; ++j)
-                slope.information(active_[static_cast<std::size_t>(i)], active_[static_cast<std::size_t>(j)]) += product_(i, j);
-        }
-    }
-
-  private:
-    Eigen::MatrixXd columns_, product_;
-    std::vector<int> active_;
+/// The unknowns that move a chunk, in the order of its columns, and how.
+struct ChunkUnknowns {
+    std::vector<const PredictionDerivative*> derivatives;
+    std::vector<std::size_t> noise, floors;  ///< indices of unknowns
+    std::size_t size() const { return derivatives.size() + noise.size() + floors.size(); }
 };
 
-/// Columns of the noise and of the floor: diagonal derivatives, in closed form.
-void add_diagonal_columns(const Trial& trial, const std::vector<Unknown>& unknowns, const Observation& observation,
-                          std::size_t index, const ExpectedSpectra& prediction, std::size_t bin,
-                          const Matrix& inverse_factor, BinColumns& columns) {
+ChunkUnknowns unknowns_of(const Chunk& chunk, const std::vector<Unknown>& unknowns, const Observation& observation,
+                          const std::vector<PredictionDerivative>& derivatives) {
+    ChunkUnknowns own;
+    const std::size_t size = observation.channels.size();
+    for (const PredictionDerivative& derivative : derivatives) {
+        if (derivative.observation != static_cast<int>(chunk.observation) || derivative.values.empty()) continue;
+        bool zero = true;  // many unknowns of the irregularity move a few bins only
+        for (std::size_t i = chunk.first * size * size; i < (chunk.first + chunk.count) * size * size && zero; ++i) zero = derivative.values[i] == 0.0;
+        if (!zero) own.derivatives.push_back(&derivative);
+    }
+    const int low = floor_place(observation.frequency(chunk.first)).node, high = floor_place(observation.frequency(chunk.first + chunk.count - 1)).node + 1;
+    for (std::size_t u = 0; u < unknowns.size(); ++u) {
+        const int node = unknowns[u].index % kFloorNodeCount;
+        if (unknowns[u].kind == UnknownKind::noise && unknowns[u].observation == static_cast<int>(chunk.observation)) own.noise.push_back(u);
+        if (unknowns[u].kind == UnknownKind::floor && node >= low && node <= high) own.floors.push_back(u);
+    }
+    return own;
+}
+
+/// Columns of the noise and of the floor: derivatives of powers on the diagonal.
+void add_diagonal_columns(const Trial& trial, const std::vector<Unknown>& unknowns, const ChunkUnknowns& own, const Observation& observation,
+                          std::size_t index, const ExpectedSpectra& prediction, std::size_t bin, WhitenedColumns& columns) {
     const FloorPlace place = floor_place(observation.frequency(bin));
     const std::size_t size = prediction.channels;
     const Complex* model = &prediction.values[bin * size * size];
-    for (std::size_t u = 0; u < unknowns.size(); ++u) {
-        const Unknown& unknown = unknowns[u];
-        if (unknown.kind == UnknownKind::noise && unknown.observation == static_cast<int>(index)) {
-            const std::size_t c = static_cast<std::size_t>(unknown.index);
-            const auto v = inverse_factor.col(static_cast<long>(c));
-            columns.add(static_cast<int>(u), Matrix(trial.noise_psd[index][c] * v * v.adjoint()));
-        }
-        if (unknown.kind != UnknownKind::floor) continue;
-        const int group = unknown.index / kFloorNodeCount, node = unknown.index % kFloorNodeCount;
+    std::size_t column = own.derivatives.size();
+    for (const std::size_t u : own.noise) {
+        const std::size_t c = static_cast<std::size_t>(unknowns[u].index);
+        columns.add_diagonal(column++, c, trial.noise_psd[index][c]);
+    }
+    for (const std::size_t u : own.floors) {
+        const int group = unknowns[u].index / kFloorNodeCount, node = unknowns[u].index % kFloorNodeCount;
         const double share = node == place.node ? 1.0 - place.share : node == place.node + 1 ? place.share : 0.0;
-        if (share == 0.0) continue;
-        Matrix sum = Matrix::Zero(static_cast<long>(size), static_cast<long>(size));
-        bool any = false;
-        for (std::size_t c = 0; c < size; ++c) {
+        for (std::size_t c = 0; c < size && share > 0.0; ++c) {
             const std::size_t response = observation.channels[c].response;
-            if (floor_group(response) != group) continue;
-            const double slope = 2.0 * share * floor_of(trial, response, observation.frequency(bin), 0.0) * model[c * (size + 1)].real();
-            const auto v = inverse_factor.col(static_cast<long>(c));
-            sum.noalias() += slope * v * v.adjoint();
-            any = true;
+            if (floor_group(response) == group)
+                columns.add_diagonal(column, c, 2.0 * share * floor_of(trial, response, observation.frequency(bin), 0.0) * model[c * (size + 1)].real());
         }
-        if (any) columns.add(static_cast<int>(u), sum);
+        ++column;
     }
 }
 
-/// The derivatives of the predictions, whitened. The floor grows with the prediction.
-void add_prediction_columns(const Trial& trial, const Observation& observation, const std::vector<const PredictionDerivative*>& derivatives,
-                            std::size_t size, std::size_t bin, double least_floor, const Matrix& inverse_factor, BinColumns& columns) {
-    std::vector<double> floor(size);
-    for (std::size_t c = 0; c < size; ++c)
-        floor[c] = 1.0 + floor_of(trial, observation.channels[c].response, observation.frequency(bin), least_floor);
-    Matrix derivative(static_cast<long>(size), static_cast<long>(size)), half;
-    for (const PredictionDerivative* own : derivatives) {
-        const Complex* values = &own->values[bin * size * size];
-        bool zero = true;
-        for (std::size_t c = 0; c < size && zero; ++c) zero = values[c * (size + 1)].real() == 0.0;
-        if (zero) continue;
-        for (std::size_t i = 0; i < size * size; ++i) derivative.data()[i] = Complex(values[i].real(), values[i].imag());
-        for (std::size_t c = 0; c < size; ++c) derivative(static_cast<long>(c), static_cast<long>(c)) *= floor[c];
-        half.noalias() = inverse_factor.triangularView<Eigen::Lower>() * derivative;
-        columns.add(own->unknown, Matrix(half * inverse_factor.adjoint()));
+/// The sums over one chunk.
+LikelihoodSlope chunk_slope(const Chunk& chunk, const Trial& trial, const std::vector<Unknown>& unknowns, const Predictions& predictions,
+                            const std::vector<PredictionDerivative>& derivatives, const LikelihoodContext& context) {
+    const std::size_t o = chunk.observation;
+    const Observation& observation = (*context.observations)[o];
+    const MeasuredSpectra& data = measured(observation, context.part);
+    const std::size_t size = observation.channels.size();
+    const ChunkUnknowns own = unknowns_of(chunk, unknowns, observation, derivatives);
+    WhitenedColumns columns(size, own.size(), own.derivatives.size());
+    LikelihoodSlope slope;
+    std::vector<double> diagonal(size);
+    for (std::size_t bin = chunk.first; bin < chunk.first + chunk.count; ++bin) {
+        const WhitenedBin white = whiten(trial, observation, o, predictions[o], data, bin, context.least_floor);
+        slope.log_likelihood += data.averages * white.log_likelihood;
+        if (!std::isfinite(white.log_likelihood)) continue;
+        for (std::size_t c = 0; c < size; ++c)  // the floor grows with the prediction
+            diagonal[c] = 1.0 + floor_of(trial, observation.channels[c].response, observation.frequency(bin), context.least_floor);
+        columns.begin(white.inverse_factor.data());
+        for (std::size_t d = 0; d < own.derivatives.size(); ++d) columns.set(d, &own.derivatives[d]->values[bin * size * size], diagonal.data());
+        columns.whiten();
+        add_diagonal_columns(trial, unknowns, own, observation, o, predictions[o], bin, columns);
+        columns.end(white.residual.data());
     }
+    const long count = static_cast<long>(own.size());
+    Eigen::VectorXd gradient = Eigen::VectorXd::Zero(count);
+    Eigen::MatrixXd information = Eigen::MatrixXd::Zero(count, count);
+    columns.accumulate(data.averages, gradient, information);
+    std::vector<long> at;
+    for (const PredictionDerivative* derivative : own.derivatives) at.push_back(derivative->unknown);
+    for (const std::size_t u : own.noise) at.push_back(static_cast<long>(u));
+    for (const std::size_t u : own.floors) at.push_back(static_cast<long>(u));
+    slope.gradient = Eigen::VectorXd::Zero(static_cast<long>(unknowns.size()));
+    slope.information = Eigen::MatrixXd::Zero(static_cast<long>(unknowns.size()), static_cast<long>(unknowns.size()));
+    for (long i = 0; i < count; ++i) {
+        slope.gradient(at[static_cast<std::size_t>(i)]) += gradient(i);
+        for (long j = 0; j <= i; ++j) slope.information(at[static_cast<std::size_t>(i)], at[static_cast<std::size_t>(j)]) += information(i, j);
+    }
+    return slope;
 }
 
 }  // namespace
@@ -260,36 +258,11 @@ double log_likelihood(const Trial& trial, const Predictions& predictions, const 
 
 LikelihoodSlope likelihood_slope(const Trial& trial, const std::vector<Unknown>& unknowns, const Predictions& predictions,
                                  const std::vector<PredictionDerivative>& derivatives, const LikelihoodContext& context) {
-    const std::vector<Observation>& observations = *context.observations;
-    const std::vector<Chunk> chunks = chunks_of(observations);
+    const std::vector<Chunk> chunks = chunks_of(*context.observations);
     const long count = static_cast<long>(unknowns.size());
     std::vector<LikelihoodSlope> parts(chunks.size());
 #pragma omp parallel for schedule(dynamic, 1) num_threads(thread_count(context))
-    for (std::size_t i = 0; i < chunks.size(); ++i) {
-        const Chunk& chunk = chunks[i];
-        const std::size_t o = chunk.observation;
-        const Observation& observation = observations[o];
-        const MeasuredSpectra& data = measured(observation, context.part);
-        const std::size_t size = observation.channels.size();
-        std::vector<const PredictionDerivative*> own;
-        for (const PredictionDerivative& derivative : derivatives)
-            if (derivative.observation == static_cast<int>(o)) own.push_back(&derivative);
-        LikelihoodSlope& slope = parts[i];
-        slope.gradient = Eigen::VectorXd::Zero(count);
-        slope.information = Eigen::MatrixXd::Zero(count, count);
-        BinColumns columns(unknowns.size(), size);
-        Eigen::VectorXd residual(static_cast<long>(size * size));
-        for (std::size_t bin = chunk.first; bin < chunk.first + chunk.count; ++bin) {
-            const WhitenedBin white = whiten(trial, observation, o, predictions[o], data, bin, context.least_floor);
-            slope.log_likelihood += data.averages * white.log_likelihood;
-            if (!std::isfinite(white.log_likelihood)) continue;
-            columns.clear();
-            add_prediction_columns(trial, observation, own, size, bin, context.least_floor, white.inverse_factor, columns);
-            add_diagonal_columns(trial, unknowns, observation, o, predictions[o], bin, white.inverse_factor, columns);
-            pack(white.residual, residual.data());
-            columns.accumulate(data.averages, residual, slope);
-        }
-    }
+    for (std::size_t i = 0; i < chunks.size(); ++i) parts[i] = chunk_slope(chunks[i], trial, unknowns, predictions, derivatives, context);
     LikelihoodSlope total{.gradient = Eigen::VectorXd::Zero(count), .information = Eigen::MatrixXd::Zero(count, count)};
     for (const LikelihoodSlope& part : parts) {
         total.log_likelihood += part.log_likelihood;

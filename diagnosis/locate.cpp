@@ -13,7 +13,7 @@ std::vector<LocatedEvidence> locate(const Fit& fit, const LikelihoodContext& con
     std::map<Element, LocatedEvidence> best;
     for (std::size_t i = 0; i < places.size(); ++i) {
         const auto found = best.find(places[i].element);
-        if (found == best.end() || promises[i].nats > found->second.nats) best[places[i].element] = {places[i], promises[i].nats};
+        if (found == best.end() || promises[i].nats > found->second.nats) best[places[i].element] = {places[i], promises[i].nats, promises[i]};
     }
     std::vector<LocatedEvidence> ranked;
     for (const auto& [element, own] : best) ranked.push_back(own);

@@ -13,6 +13,7 @@ namespace railpem::diagnosis {
 struct LocatedEvidence {
     CorrectionPlace place;
     double nats = 0.0;
+    FreedomPromise promise;  ///< of correction_unknowns(place)
 };
 
 /// Every element of the structure with its best place (the best channel for sensors), most evident first.

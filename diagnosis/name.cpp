@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 namespace railpem::diagnosis {
@@ -11,40 +12,19 @@ namespace railpem::diagnosis {
 namespace {
 
 constexpr double kLeastRelease = 3.0;           ///< nats to first order; what a wrong belief distorts is seen too small from there
-constexpr double kReleasedDeviation = 1.15;     ///< half of log 10: a factor between a tenth and ten
-constexpr double kLogPriorOfSomething = -0.7;   ///< something is missing as often as not
-constexpr double kLogPriorOfAnother = -2.3;     ///< and one time in ten another thing beside it
-constexpr double kLogPriorOfUnknown = -3.0;     ///< and one time in twenty something without a name
-
-double prior_of(const FittedSet& set, std::size_t numbers) {
-    double sum = 0.0;
-    for (const Candidate& candidate : set.effects) sum += candidate.log_prior;
-    for (std::size_t i = 0; i < set.released.size(); ++i) sum -= std::log(static_cast<double>(effects().size() * numbers));
-    if (set.members() > 0 || !set.anonymous.empty()) sum += kLogPriorOfSomething;
-    if (set.members() > 1) sum += kLogPriorOfAnother * static_cast<double>(set.members() - 1);
-    if (!set.anonymous.empty()) sum += kLogPriorOfUnknown;
-    return sum;
-}
-
-/// The value that a near fit has for an unknown, or its mean.
-double start_of(const Unknown& unknown, const Fit& near) {
-    std::size_t index = 0;
-    return near.find(unknown.name, &index) ? near.values[index] : unknown.mean;
-}
-
 constexpr double kLeastShare = 0.04;  ///< of the best promise; what is weaker waits for the next round
 
-/// What is worth a refit: per variant the two best starting points, few variants per effect.
-std::vector<Candidate> worth_refitting(const std::vector<Promise>& promises, const std::vector<Candidate>& candidates, double least, int most) {
+/// What is worth a refit: the best starting point of a variant, few variants per effect.
+std::vector<Promise> worth_refitting(const std::vector<Promise>& promises, const std::vector<Candidate>& candidates, double least, int most) {
     constexpr int kVariantsPerEffect = 2;
     std::map<std::string, int> of_effect, of_variant;
-    std::vector<Candidate> chosen;
+    std::vector<Promise> chosen;
     for (const Promise& promise : promises) {
         if (promise.gain < least || promise.gain < kLeastShare * promises.front().gain || static_cast<int>(chosen.size()) >= most) break;
         const EffectInstance& instance = candidates[promise.candidate].instance;
         if (of_variant[label_of(instance)]++ > 0) continue;
         if (of_effect[instance.effect]++ >= kVariantsPerEffect) continue;
-        chosen.push_back(started_at(candidates[promise.candidate], promise.strength));
+        chosen.push_back(promise);
     }
     return chosen;
 }
@@ -204,16 +184,41 @@ class Search {
         FitOptions fit_options;
         fit_options.between = [this, text, share] { say(text, share); };
         fit_options.from_far = false;
+        for (const FittedSet& set : result_.sets) fit_options.rival = std::max(fit_options.rival, set.fit.log_posterior);
         result_.sets.push_back(fit_set(believed_, near, std::move(members), std::move(released), {}, context_, fit_options));
         return result_.sets.back();
     }
 
+    /// A candidate beside `members`, from where its promise leads: the step that was promised, or the part of it that holds.
+    const FittedSet& try_promise(const Fit& near, const Promise& promise, std::vector<Candidate> members, std::vector<std::string> released, double share) {
+        constexpr double kParts[] = {1.0, 0.3, 0.1, 0.03, 0.01, 0.003, 0.0};
+        const Candidate& candidate = result_.candidates[promise.candidate];
+        Candidate best;
+        Fit best_near{.trial = near.trial, .unknowns = near.unknowns, .values = near.values};
+        double highest = -std::numeric_limits<double>::infinity();
+        for (const double part : kParts) {
+            if (part == 0.0 && std::isfinite(highest)) break;  // the mild strength is for what cannot be reached from nothing
+            const Candidate started = part == 0.0 ? candidate : started_at(candidate, part * promise.strength);
+            Fit moved{.trial = near.trial, .unknowns = near.unknowns, .values = near.values};
+            for (std::size_t u = 0; u < moved.values.size(); ++u)
+                moved.values[u] = std::clamp(near.values[u] + part * promise.strength * promise.move(static_cast<long>(u)), near.unknowns[u].low, near.unknowns[u].high);
+            std::vector<Candidate> with = members;
+            with.push_back(started);
+            const Supposition supposition = suppose(believed_, moved, with, released, {}, context_);
+            const double posterior = log_posterior_at(supposition.trial, supposition.unknowns, supposition.start, context_);
+            if (posterior > highest || part == 0.0) highest = posterior, best = started, best_near = std::move(moved);
+            if (highest > near.log_posterior) break;
+        }
+        members.push_back(best);
+        return try_set(best_near, std::move(members), std::move(released), share);
+    }
+
     void first_round() {
-        const std::vector<Candidate> chosen = worth_refitting(result_.first_promises, result_.candidates, options_.least_promise, options_.refits);
+        const std::vector<Promise> chosen = worth_refitting(result_.first_promises, result_.candidates, options_.least_promise, options_.refits);
         const std::vector<std::string> keys = worth_releasing(result_.retuned.fit, {}, kLeastRelease, 2);
         const double step = 0.4 / static_cast<double>(chosen.size() + keys.size() + 1);
         double share = 0.25;
-        for (const Candidate& candidate : chosen) try_set(result_.retuned.fit, {candidate}, {}, share += step);
+        for (const Promise& promise : chosen) try_promise(result_.retuned.fit, promise, {}, {}, share += step);
         for (const std::string& key : keys) try_set(result_.retuned.fit, {}, {key}, share += step);
     }
 
@@ -232,27 +237,25 @@ class Search {
         const FittedSet from = *base;
         const double share = 0.65 + 0.1 * (members - 2);
         const std::vector<Promise> promises = screen(from.fit, result_.candidates, context_);
-        std::vector<Candidate> chosen = worth_refitting(promises, result_.candidates, options_.least_promise, options_.later_refits + 2);
-        const auto is_member = [&](const Candidate& candidate) {
+        std::vector<Promise> chosen = worth_refitting(promises, result_.candidates, options_.least_promise, options_.later_refits + 2);
+        const auto is_member = [&](const Promise& promise) {
             return std::any_of(from.effects.begin(), from.effects.end(),
-                               [&](const Candidate& own) { return same_variant(own.instance, candidate.instance); });
+                               [&](const Candidate& own) { return same_variant(own.instance, result_.candidates[promise.candidate].instance); });
         };
         std::erase_if(chosen, is_member);
         if (static_cast<int>(chosen.size()) > options_.later_refits) chosen.erase(chosen.begin() + options_.later_refits, chosen.end());
-        const Candidate* winner = nullptr;
+        Candidate winner;
         double highest = -1e300;
-        for (const Candidate& candidate : chosen) {
-            std::vector<Candidate> with = from.effects;
-            with.push_back(candidate);
-            const double score = try_set(from.fit, with, from.released, share).score();
-            if (score > highest) highest = score, winner = &candidate;
+        for (const Promise& promise : chosen) {
+            const FittedSet& tried = try_promise(from.fit, promise, from.effects, from.released, share);
+            if (tried.score() > highest) highest = tried.score(), winner = tried.effects.back();
         }
         for (const std::string& key : worth_releasing(from.fit, from.released, kLeastRelease, 1)) {
             std::vector<std::string> released = from.released;
             released.push_back(key);
             try_set(from.fit, from.effects, released, share);
         }
-        if (members == 2 && winner && highest > from.score() + options_.least_gain) swap_first(*winner, from, share);
+        if (members == 2 && highest > from.score() + options_.least_gain) swap_first(winner, from, share);
         const FittedSet* larger = best(static_cast<std::size_t>(members));
         return larger && larger->score() > from.score() + options_.least_gain;
     }
@@ -284,47 +287,6 @@ class Search {
 };
 
 }  // namespace
-
-double part_log_likelihood(const Fit& fit, const LikelihoodContext& context, Part part) {
-    LikelihoodContext other = context;
-    other.part = part;
-    return log_likelihood(fit.trial, fit.predictions, other);
-}
-
-FittedSet fit_set(const BelievedCase& believed, const Fit& near, std::vector<Candidate> members, std::vector<std::string> released,
-                  std::vector<CorrectionPlace> anonymous, const LikelihoodContext& context, const FitOptions& options) {
-    FittedSet set{.effects = std::move(members), .released = std::move(released), .anonymous = std::move(anonymous)};
-    Trial trial = believed_trial(believed, *context.observations);
-    std::vector<Unknown> unknowns = nuisance_unknowns(believed, *context.observations);
-    for (Unknown& unknown : unknowns)
-        if (std::find(set.released.begin(), set.released.end(), unknown.name) != set.released.end()) unknown.deviation = kReleasedDeviation;
-    std::vector<double> start;
-    for (const Unknown& unknown : unknowns) start.push_back(start_of(unknown, near));
-    for (const Candidate& member : set.effects) {
-        const std::vector<Unknown> own = effect_unknowns(member.instance, trial.effects.size());
-        const Effect& effect = *find_effect(member.instance.effect);
-        for (const Unknown& unknown : own) {
-            // A member of the near fit starts where that fit left it, a new one at its mild strength.
-            const std::string name = unknown.name.substr(unknown.name.find('.') + 1);
-            double value = member.instance.values.count(name) ? member.instance.values.at(name) : value_of(effect, member.instance, name);
-            for (const EffectInstance& instance : near.trial.effects)
-                if (same_variant(instance, member.instance) && instance.values.count(name)) value = instance.values.at(name);
-            for (const EffectParameter& parameter : effect.parameters)
-                if (parameter.name == name) start.push_back(std::clamp(to_coordinate(parameter, value), unknown.low, unknown.high));
-        }
-        unknowns.insert(unknowns.end(), own.begin(), own.end());
-        trial.effects.push_back(member.instance);
-    }
-    for (const CorrectionPlace& place : set.anonymous)
-        for (Unknown& unknown : correction_unknowns(place, *context.observations)) {
-            start.push_back(unknown.mean);
-            unknowns.push_back(std::move(unknown));
-        }
-    set.fit = fit(trial, std::move(unknowns), std::move(start), context, options);
-    set.log_prior = prior_of(set, believed.uncertain.size());
-    set.held_out = part_log_likelihood(set.fit, context, Part::held_out);
-    return set;
-}
 
 NamingResult name_physics(const BelievedCase& believed, const LikelihoodContext& context, const NamingOptions& options) {
     NamingResult result;

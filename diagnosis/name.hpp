@@ -5,25 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "diagnosis/candidates.hpp"
-#include "diagnosis/corrections.hpp"
-#include "diagnosis/fit.hpp"
+#include "diagnosis/fitted_set.hpp"
 #include "diagnosis/locate.hpp"
 #include "diagnosis/screen.hpp"
 
 namespace railpem::diagnosis {
-
-/// A supposition that was fitted: effects added, numbers released from their tolerances, or a free correction of a place.
-struct FittedSet {
-    std::vector<Candidate> effects;     ///< as started; the fitted values are in fit.trial.effects
-    std::vector<std::string> released;  ///< keys of numbers whose belief was given up (parameter-error)
-    std::vector<CorrectionPlace> anonymous;
-    Fit fit;
-    double log_prior = 0.0;
-    double held_out = 0.0;     ///< log-likelihood of the held-out part
-    double score() const { return fit.log_evidence + log_prior; }
-    std::size_t members() const { return effects.size() + released.size(); }
-};
 
 /// Calibrated on nulls; see thresholds.md beside this file.
 struct NamingOptions {
@@ -49,12 +35,5 @@ struct NamingResult {
 
 /// Retunes, screens, refits, adds and swaps. `context.part` should be the fitted part.
 NamingResult name_physics(const BelievedCase& believed, const LikelihoodContext& context, const NamingOptions& options);
-
-/// Fits a set from a fit that is near, with the effects at their starting strength.
-FittedSet fit_set(const BelievedCase& believed, const Fit& near, std::vector<Candidate> effects, std::vector<std::string> released,
-                  std::vector<CorrectionPlace> anonymous, const LikelihoodContext& context, const FitOptions& options);
-
-/// Log-likelihood of a part at a fit's values.
-double part_log_likelihood(const Fit& fit, const LikelihoodContext& context, Part part);
 
 }  // namespace railpem::diagnosis

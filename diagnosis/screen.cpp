@@ -73,7 +73,7 @@ std::vector<Promise> screen(const Fit& fit, const std::vector<Candidate>& candid
         for (long c = 0; c < static_cast<long>(count); ++c) {
             const double information = slope.information(own + c, own + c) - cross.col(c).dot(projected.col(c));
             const double gradient = slope.gradient(own + c) - projected.col(c).dot(fit.gradient);
-            Promise promise{.candidate = first + static_cast<std::size_t>(c)};
+            Promise promise{.candidate = first + static_cast<std::size_t>(c), .move = -projected.col(c)};
             if (information > 1e-9 * slope.information(own + c, own + c) && information > 0.0) {
                 promise.strength = gradient / information;
                 if (promise.strength > 0.0 || candidates[promise.candidate].two_sided) promise.gain = 0.5 * gradient * gradient / information;
@@ -103,6 +103,7 @@ FreedomPromise promise_from(const Fit& fit, const LikelihoodSlope& slope, const 
     FreedomPromise promise;
     const Eigen::VectorXd solved = own_factor.solve(right);
     promise.values = deviation.asDiagonal() * solved;
+    promise.move = -projected * promise.values;
     promise.covariance = deviation.asDiagonal() * own_factor.solve(Eigen::MatrixXd::Identity(count, count)) * deviation.asDiagonal();
     promise.nats = 0.5 * right.dot(solved);
     for (long i = 0; i < count; ++i) promise.nats -= std::log(own_factor.matrixLLT()(i, i));

@@ -12,7 +12,8 @@ namespace railpem::diagnosis {
 struct Promise {
     std::size_t candidate = 0;
     double gain = 0.0;       ///< nats of log-posterior, nuisances free: ½ g⊥²/F⊥
-    double strength = 0.0;   ///< step along the direction, in units of the candidate's mild strength
+    double strength = 0.0;   ///< step along the direction, in units of the candidate's probe
+    Eigen::VectorXd move;    ///< of the fit's unknowns that goes with a unit of strength
 };
 
 /// Score of every candidate at a fit, all its unknowns projected out; sorted, most promising first. A one-sided candidate
@@ -25,6 +26,7 @@ struct FreedomPromise {
     double nats = 0.0;
     Eigen::VectorXd values;
     Eigen::MatrixXd covariance;
+    Eigen::VectorXd move;  ///< of the fit's unknowns that goes with them
 };
 /// One promise for each of the freedoms.
 std::vector<FreedomPromise> promises_of(const Fit& fit, const std::vector<std::vector<Unknown>>& freedoms, const LikelihoodContext& context);

@@ -98,15 +98,37 @@ std::complex<double> delay_phase(const std::vector<double>& wheels_m, std::size_
     return std::polar(1.0, -kTwoPi * frequency_hz * (wheels_m[0] - wheels_m[wheel]) / speed_m_per_s);
 }
 
-Excitation excitation(const CaseParameters& parameters, const std::vector<double>& wheels_m, double speed_m_per_s) {
+TrackExcitation track_excitation(const CaseParameters& parameters, const std::vector<double>& wheels_m, double speed_m_per_s) {
+    return {.passing = passing_lines(parameters, wheels_m, speed_m_per_s), .failed = failed_fastener_spectrum(parameters, wheels_m, speed_m_per_s),
+            .wheel_load_n = wheel_load_n(parameters), .amplitude_factor = parameters.sleeper_passing.amplitude_factor};
+}
+
+TrackExcitation rescaled(const TrackExcitation& known, const CaseParameters& parameters) {
+    TrackExcitation own = known;
+    own.wheel_load_n = wheel_load_n(parameters);
+    own.amplitude_factor = parameters.sleeper_passing.amplitude_factor;
+    const double load = own.wheel_load_n / known.wheel_load_n;
+    const auto& failed = parameters.track.failed_fasteners;
+    const std::size_t period = failed.empty() ? 1 : static_cast<std::size_t>(std::max(1, failed.front().every));
+    for (std::size_t i = 0; i < own.passing.size(); ++i) {
+        const bool whole_bay = (i + 1) % period == 0;
+        const double scale = load * (whole_bay && known.amplitude_factor != 0.0 ? own.amplitude_factor / known.amplitude_factor : 1.0);
+        for (auto& amplitude : own.passing[i].amplitude_m) amplitude *= scale;
+    }
+    if (known.failed) own.failed = [spectrum = known.failed, load](double f) { return load * load * spectrum(f); };
+    return own;
+}
+
+Excitation excitation(const CaseParameters& parameters, const std::vector<double>& wheels_m, double speed_m_per_s, const TrackExcitation* known) {
+    const bool usable = known && (known->amplitude_factor != 0.0 || parameters.sleeper_passing.amplitude_factor == 0.0);
+    TrackExcitation track = usable ? rescaled(*known, parameters) : track_excitation(parameters, wheels_m, speed_m_per_s);
     Excitation all;
     all.broadband.push_back(irregularity_spectrum(parameters, speed_m_per_s));
-    if (const auto spectrum = failed_fastener_spectrum(parameters, wheels_m, speed_m_per_s)) all.broadband.push_back({"failed_fasteners", spectrum});
+    if (track.failed) all.broadband.push_back({"failed_fasteners", std::move(track.failed)});
     for (const spectra::RailJoints& joints : parameters.irregularity.joints)
         all.lines.push_back({"joints", joint_lines(parameters, joints, wheels_m, speed_m_per_s)});
     add_wheel_lines(parameters, speed_m_per_s, all.lines);
-    if (std::vector<SpectralLine> lines = passing_lines(parameters, wheels_m, speed_m_per_s); !lines.empty())
-        all.lines.push_back({"sleeper_passing", std::move(lines)});
+    if (!track.passing.empty()) all.lines.push_back({"sleeper_passing", std::move(track.passing)});
     return all;
 }
 

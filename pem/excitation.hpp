@@ -50,7 +50,22 @@ struct Excitation {
     std::vector<DelayedSpectrum> broadband;
     std::vector<LineSet> lines;
 };
-Excitation excitation(const CaseParameters& parameters, const std::vector<double>& wheels_m, double speed_m_per_s);
+
+/// What of the excitation the standing load and the track's deflection make: costly, and common to cases that differ in vehicle or
+/// irregularity only.
+struct TrackExcitation {
+    std::vector<SpectralLine> passing;             ///< passing_lines()
+    std::function<double(double)> failed;          ///< failed_fastener_spectrum()
+    double wheel_load_n = 0.0;                     ///< under which they were computed
+    double amplitude_factor = 0.0;                 ///< sleeper_passing.amplitude_factor of then
+};
+TrackExcitation track_excitation(const CaseParameters& parameters, const std::vector<double>& wheels_m, double speed_m_per_s);
+
+/// The same for another load and amplitude factor. The track must be the same and not stiffen under load; throws nothing.
+TrackExcitation rescaled(const TrackExcitation& known, const CaseParameters& parameters);
+
+/// `known`: the track's part, if it is known already.
+Excitation excitation(const CaseParameters& parameters, const std::vector<double>& wheels_m, double speed_m_per_s, const TrackExcitation* known = nullptr);
 
 /// Phase e^{−iω·d_j/v} with which wheel j meets what wheel 1 meets, d_j = x_1 − x_j.
 std::complex<double> delay_phase(const std::vector<double>& wheels_m, std::size_t wheel, double frequency_hz, double speed_m_per_s);

@@ -12,6 +12,69 @@
 
 namespace railpem::pem {
 
+namespace {
+
+lanes::Real omega_of(double from_hz, double step_hz, std::size_t first, std::size_t lines) {
+    lanes::Real omega;
+    for (int lane = 0; lane < lanes::width; ++lane)
+        omega[lane] = 2.0 * std::numbers::pi * (from_hz + static_cast<double>(std::min(first + static_cast<std::size_t>(lane), lines - 1)) * step_hz);
+    return omega;
+}
+
+std::vector<RailGroup> solved_rails(const CoupledModel& model, double from_hz, double step_hz, std::size_t lines, int threads) {
+    std::vector<RailGroup> rails((lines + lanes::width - 1) / lanes::width);
+#pragma omp parallel num_threads(threads > 0 ? threads : omp_get_max_threads())
+    {
+        CoupledWorkspace workspace(model);
+#pragma omp for schedule(dynamic, 4)
+        for (std::size_t group = 0; group < rails.size(); ++group)
+            rails[group] = rail_group(model, omega_of(from_hz, step_hz, group * lanes::width, lines), workspace);
+    }
+    return rails;
+}
+
+constexpr int kPoints = 6;  ///< of the interpolation of the rail
+
+/// Lagrange weights at `place` among the points 0 … 5.
+std::array<double, kPoints> lagrange(double place) {
+    std::array<double, kPoints> weight;
+    for (int i = 0; i < kPoints; ++i) {
+        double product = 1.0;
+        for (int j = 0; j < kPoints; ++j)
+            if (j != i) product *= (place - j) / (i - j);
+        weight[static_cast<std::size_t>(i)] = product;
+    }
+    return weight;
+}
+
+/// Adds weight × line `from` of the coarse rails to lane `lane` of a group.
+void add_line(const std::vector<RailGroup>& coarse, std::size_t from, double weight, int lane, RailGroup& group) {
+    const RailGroup& source = coarse[from / lanes::width];
+    const int at = static_cast<int>(from % lanes::width);
+    for (std::size_t i = 0; i < 4; ++i) {
+        for (std::size_t j = 0; j < 4; ++j) group.rail[i][j].set(lane, group.rail[i][j][lane] + weight * source.rail[i][j][at]);
+        group.trackbed[i].set(lane, group.trackbed[i][lane] + weight * source.trackbed[i][at]);
+    }
+}
+
+}  // namespace
+
+std::vector<RailGroup> rail_groups(const CoupledModel& model, double from_hz, double step_hz, std::size_t lines, int every, int threads) {
+    const std::size_t coarse_lines = (lines + static_cast<std::size_t>(every) - 2) / static_cast<std::size_t>(every) + 1;
+    if (every <= 1 || coarse_lines < kPoints) return solved_rails(model, from_hz, step_hz, lines, threads);
+    const std::vector<RailGroup> coarse = solved_rails(model, from_hz, every * step_hz, coarse_lines, threads);
+    std::vector<RailGroup> rails((lines + lanes::width - 1) / lanes::width);
+    for (std::size_t line = 0; line < rails.size() * lanes::width; ++line) {
+        const double place = static_cast<double>(std::min(line, lines - 1)) / every;
+        const long base = std::clamp(static_cast<long>(place) - kPoints / 2 + 1, 0L, static_cast<long>(coarse_lines) - kPoints);
+        const std::array<double, kPoints> weight = lagrange(place - static_cast<double>(base));
+        for (int i = 0; i < kPoints; ++i)
+            add_line(coarse, static_cast<std::size_t>(base + i), weight[static_cast<std::size_t>(i)], static_cast<int>(line % lanes::width), rails[line / lanes::width]);
+    }
+    for (std::size_t group = 0; group < rails.size(); ++group) rails[group].omega = omega_of(from_hz, step_hz, group * lanes::width, lines);
+    return rails;
+}
+
 WheelTransfers wheel_transfers(const CoupledModel& model, double from_hz, double step_hz, std::size_t lines, std::vector<std::size_t> responses, int threads,
                                std::vector<RailGroup>* rails) {
     WheelTransfers transfers{.from_hz = from_hz, .step_hz = step_hz, .lines = lines, .responses = std::move(responses), .values = {}};
@@ -26,10 +89,8 @@ WheelTransfers wheel_transfers(const CoupledModel& model, double from_hz, double
         std::vector<lanes::Complex> all(response_names().size());
 #pragma omp for schedule(dynamic, 4)
         for (std::size_t group = 0; group < groups; ++group) {
-            lanes::Real omega;
             const std::size_t first = group * lanes::width;
-            for (int lane = 0; lane < lanes::width; ++lane)
-                omega[lane] = 2.0 * std::numbers::pi * (from_hz + static_cast<double>(std::min(first + static_cast<std::size_t>(lane), lines - 1)) * step_hz);
+            const lanes::Real omega = omega_of(from_hz, step_hz, first, lines);
             const RailGroup rail = known ? (*rails)[group] : rail_group(model, omega, workspace);
             if (rails && !known) (*rails)[group] = rail;
             const GroupSolution& solution = solve_group(model, rail, workspace);

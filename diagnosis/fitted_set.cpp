@@ -1,0 +1,102 @@
+#include "diagnosis/fitted_set.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace railpem::diagnosis {
+
+namespace {
+
+constexpr double kLogPriorOfSomething = -0.7;   ///< something is missing as often as not
+constexpr double kLogPriorOfAnother = -2.3;     ///< and one time in ten another thing beside it
+constexpr double kLogPriorOfUnknown = -3.0;     ///< and one time in twenty something without a name
+
+double prior_of(const FittedSet& set, std::size_t numbers) {
+    double sum = 0.0;
+    for (const Candidate& candidate : set.effects) sum += candidate.log_prior;
+    for (std::size_t i = 0; i < set.released.size(); ++i) sum -= std::log(static_cast<double>(effects().size() * numbers));
+    if (set.members() > 0 || !set.anonymous.empty()) sum += kLogPriorOfSomething;
+    if (set.members() > 1) sum += kLogPriorOfAnother * static_cast<double>(set.members() - 1);
+    if (!set.anonymous.empty()) sum += kLogPriorOfUnknown;
+    return sum;
+}
+
+/// The value that a near fit has for an unknown, or its mean.
+double start_of(const Unknown& unknown, const Fit& near) {
+    std::size_t index = 0;
+    return near.find(unknown.name, &index) ? near.values[index] : unknown.mean;
+}
+
+/// A member of the near fit starts where that fit left it (or where its values were moved to), a new one at its own strength.
+void add_member(const Candidate& member, const Fit& near, Supposition& own) {
+    const Effect& effect = *find_effect(member.instance.effect);
+    const auto known = std::find_if(near.trial.effects.begin(), near.trial.effects.end(),
+                                    [&](const EffectInstance& instance) { return same_variant(instance, member.instance); });
+    const int index = known == near.trial.effects.end() ? -1 : static_cast<int>(known - near.trial.effects.begin());
+    for (const Unknown& unknown : effect_unknowns(member.instance, own.trial.effects.size())) {
+        const std::string name = unknown.name.substr(unknown.name.find('.') + 1);
+        const auto parameter = std::find_if(effect.parameters.begin(), effect.parameters.end(), [&](const EffectParameter& one) { return one.name == name; });
+        double value = to_coordinate(*parameter, member.instance.values.count(name) ? member.instance.values.at(name) : value_of(effect, member.instance, name));
+        for (std::size_t u = 0; u < near.unknowns.size(); ++u)
+            if (near.unknowns[u].kind == UnknownKind::effect && near.unknowns[u].index == index && near.unknowns[u].name == unknown.name) value = near.values[u];
+        own.start.push_back(std::clamp(value, unknown.low, unknown.high));
+        own.unknowns.push_back(unknown);
+    }
+    own.trial.effects.push_back(member.instance);
+}
+
+}  // namespace
+
+double part_log_likelihood(const Fit& fit, const LikelihoodContext& context, Part part) {
+    LikelihoodContext other = context;
+    other.part = part;
+    return log_likelihood(fit.trial, fit.predictions, other);
+}
+
+Supposition suppose(const BelievedCase& believed, const Fit& near, const std::vector<Candidate>& members, const std::vector<std::string>& released,
+                    const std::vector<CorrectionPlace>& anonymous, const LikelihoodContext& context) {
+    Supposition own{.trial = believed_trial(believed, *context.observations), .unknowns = nuisance_unknowns(believed, *context.observations), .start = {}};
+    for (Unknown& unknown : own.unknowns)
+        if (std::find(released.begin(), released.end(), unknown.name) != released.end()) unknown.deviation = kReleasedDeviation;
+    for (const Unknown& unknown : own.unknowns) own.start.push_back(start_of(unknown, near));
+    for (const Candidate& member : members) add_member(member, near, own);
+    for (const CorrectionPlace& place : anonymous)
+        for (Unknown& unknown : correction_unknowns(place, *context.observations)) {
+            own.start.push_back(start_of(unknown, near));
+            own.unknowns.push_back(std::move(unknown));
+        }
+    return own;
+}
+
+FittedSet fit_set(const BelievedCase& believed, const Fit& near, std::vector<Candidate> members, std::vector<std::string> released,
+                  std::vector<CorrectionPlace> anonymous, const LikelihoodContext& context, const FitOptions& options) {
+    FittedSet set{.effects = std::move(members), .released = std::move(released), .anonymous = std::move(anonymous)};
+    Supposition own = suppose(believed, near, set.effects, set.released, set.anonymous, context);
+    set.fit = fit(own.trial, std::move(own.unknowns), std::move(own.start), context, options);
+    set.log_prior = prior_of(set, believed.uncertain.size());
+    set.held_out = part_log_likelihood(set.fit, context, Part::held_out);
+    return set;
+}
+
+FittedSet fit_correction(const BelievedCase& believed, const Fit& near, const LocatedEvidence& located, const LikelihoodContext& context, const FitOptions& options) {
+    const std::vector<Unknown> freedom = correction_unknowns(located.place, *context.observations);
+    Fit best;
+    double highest = -std::numeric_limits<double>::infinity();
+    for (const double part : {1.0, 0.3, 0.1, 0.0}) {
+        Fit moved{.trial = near.trial, .unknowns = near.unknowns, .values = near.values};
+        for (std::size_t u = 0; u < moved.values.size(); ++u) moved.values[u] += part * located.promise.move(static_cast<long>(u));
+        for (std::size_t u = 0; u < freedom.size(); ++u) {
+            moved.unknowns.push_back(freedom[u]);
+            moved.values.push_back(freedom[u].mean + part * located.promise.values(static_cast<long>(u)));
+        }
+        for (std::size_t u = 0; u < moved.values.size(); ++u) moved.values[u] = std::clamp(moved.values[u], moved.unknowns[u].low, moved.unknowns[u].high);
+        const Supposition supposition = suppose(believed, moved, {}, {}, {located.place}, context);
+        const double posterior = log_posterior_at(supposition.trial, supposition.unknowns, supposition.start, context);
+        if (posterior > highest) highest = posterior, best = std::move(moved);
+        if (highest > near.log_posterior) break;
+    }
+    return fit_set(believed, best, {}, {}, {located.place}, context, options);
+}
+
+}  // namespace railpem::diagnosis

@@ -1,0 +1,49 @@
+#pragma once
+// The believed case with something added, and its fit.
+
+#include <string>
+#include <vector>
+
+#include "diagnosis/candidates.hpp"
+#include "diagnosis/corrections.hpp"
+#include "diagnosis/fit.hpp"
+#include "diagnosis/locate.hpp"
+
+namespace railpem::diagnosis {
+
+inline constexpr double kReleasedDeviation = 1.15;     ///< half of log 10: a factor between a tenth and ten
+
+/// A supposition that was fitted: effects added, numbers released from their tolerances, or a free correction of a place.
+struct FittedSet {
+    std::vector<Candidate> effects;     ///< as started; the fitted values are in fit.trial.effects
+    std::vector<std::string> released;  ///< keys of numbers whose belief was given up (parameter-error)
+    std::vector<CorrectionPlace> anonymous;
+    Fit fit;
+    double log_prior = 0.0;
+    double held_out = 0.0;     ///< log-likelihood of the held-out part
+    double score() const { return fit.log_evidence + log_prior; }
+    std::size_t members() const { return effects.size() + released.size(); }
+};
+
+/// What a fit of a set begins with.
+struct Supposition {
+    Trial trial;
+    std::vector<Unknown> unknowns;
+    std::vector<double> start;
+};
+
+/// A set before it is fitted, started near another fit, with the effects that are new at their own strength.
+Supposition suppose(const BelievedCase& believed, const Fit& near, const std::vector<Candidate>& effects, const std::vector<std::string>& released,
+                    const std::vector<CorrectionPlace>& anonymous, const LikelihoodContext& context);
+
+/// Fits a set from a fit that is near, with the effects at their starting strength.
+FittedSet fit_set(const BelievedCase& believed, const Fit& near, std::vector<Candidate> effects, std::vector<std::string> released,
+                  std::vector<CorrectionPlace> anonymous, const LikelihoodContext& context, const FitOptions& options);
+
+/// Fits the free correction of a place from where its promise at `near` leads.
+FittedSet fit_correction(const BelievedCase& believed, const Fit& near, const LocatedEvidence& located, const LikelihoodContext& context, const FitOptions& options);
+
+/// Log-likelihood of a part at a fit's values.
+double part_log_likelihood(const Fit& fit, const LikelihoodContext& context, Part part);
+
+}  // namespace railpem::diagnosis

@@ -1,0 +1,129 @@
+#include "diagnosis/whitened_columns.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace railpem::diagnosis {
+
+namespace {
+
+/// sum += (a + ib)·(x + iy), for all unknowns.
+void add_product(double a, double b, const double* x, const double* y, std::size_t count, double* re, double* im) {
+#pragma omp simd
+    for (std::size_t u = 0; u < count; ++u) {
+        re[u] += a * x[u] - b * y[u];
+        im[u] += a * y[u] + b * x[u];
+    }
+}
+
+}  // namespace
+
+WhitenedColumns::WhitenedColumns(std::size_t channels, std::size_t unknowns, std::size_t dense)
+    : channels_(channels), unknowns_(unknowns), stride_((unknowns + 3) / 4 * 4), dense_((dense + 3) / 4 * 4), inverse_re_(channels * channels), inverse_im_(channels * channels),
+      re_(channels * channels * dense_), im_(re_.size()), half_re_(re_.size()), half_im_(re_.size()),
+      rows_(static_cast<long>(kBins * channels * channels), static_cast<long>(stride_)), residual_(static_cast<long>(kBins * channels * channels)),
+      gradient_(Eigen::VectorXd::Zero(static_cast<long>(stride_))),
+      information_(Eigen::MatrixXd::Zero(static_cast<long>(stride_), static_cast<long>(stride_))) {}
+
+void WhitenedColumns::begin(const std::complex<double>* inverse_factor) {
+    for (std::size_t i = 0; i < channels_; ++i)
+        for (std::size_t j = 0; j <= i; ++j) {
+            inverse_re_[i * channels_ + j] = inverse_factor[j * channels_ + i].real();
+            inverse_im_[i * channels_ + j] = inverse_factor[j * channels_ + i].imag();
+        }
+    std::fill(re_.begin(), re_.end(), 0.0);
+    std::fill(im_.begin(), im_.end(), 0.0);
+}
+
+void WhitenedColumns::set(std::size_t unknown, const std::complex<double>* derivative, const double* diagonal) {
+    for (std::size_t j = 0; j < channels_; ++j) {
+        at(re_, j, j)[unknown] = derivative[j * channels_ + j].real() * diagonal[j];
+        for (std::size_t i = j + 1; i < channels_; ++i) {
+            at(re_, i, j)[unknown] = derivative[j * channels_ + i].real();
+            at(im_, i, j)[unknown] = derivative[j * channels_ + i].imag();
+        }
+    }
+}
+
+void WhitenedColumns::whiten() {
+    std::fill(half_re_.begin(), half_re_.end(), 0.0);
+    std::fill(half_im_.begin(), half_im_.end(), 0.0);
+    // H = L⁻¹D. Only its lower triangle is asked for: A_ij = Σ_{k≤j} H_ik conj(L⁻¹_jk), k ≤ j ≤ i.
+    for (std::size_t i = 0; i < channels_; ++i)
+        for (std::size_t j = 0; j <= i; ++j)
+            for (std::size_t k = 0; k <= i; ++k) {
+                const double a = inverse_re_[i * channels_ + k], b = inverse_im_[i * channels_ + k];
+                double *re = at(half_re_, i, j), *im = at(half_im_, i, j);
+                if (k >= j) {
+                    add_product(a, b, at(re_, k, j), at(im_, k, j), dense_, re, im);
+                } else {  // D_kj = conj(D_jk): (a + ib)(x − iy) = conj((a − ib)(x + iy))
+                    const double *x = at(re_, j, k), *y = at(im_, j, k);
+#pragma omp simd
+                    for (std::size_t u = 0; u < dense_; ++u) {
+                        re[u] += a * x[u] + b * y[u];
+                        im[u] += b * x[u] - a * y[u];
+                    }
+                }
+            }
+    const std::size_t first = bins_ * channels_ * channels_;
+    rows_.middleRows(static_cast<long>(first), static_cast<long>(channels_ * channels_)).setZero();
+    std::size_t row = first;
+    std::vector<double> re(dense_), im(dense_);
+    for (std::size_t j = 0; j < channels_; ++j)
+        for (std::size_t i = j; i < channels_; ++i) {
+            std::fill(re.begin(), re.end(), 0.0);
+            std::fill(im.begin(), im.end(), 0.0);
+            for (std::size_t k = 0; k <= j; ++k)
+                add_product(inverse_re_[j * channels_ + k], -inverse_im_[j * channels_ + k], at(half_re_, i, k), at(half_im_, i, k), dense_, re.data(), im.data());
+            const double scale = i == j ? 1.0 : std::numbers::sqrt2;
+            double* out = rows_.row(static_cast<long>(row++)).data();
+            for (std::size_t u = 0; u < dense_; ++u) out[u] = scale * re[u];
+            if (i == j) continue;
+            out = rows_.row(static_cast<long>(row++)).data();
+            for (std::size_t u = 0; u < dense_; ++u) out[u] = scale * im[u];
+        }
+}
+
+void WhitenedColumns::add_diagonal(std::size_t unknown, std::size_t channel, double power) {
+    std::size_t row = bins_ * channels_ * channels_;
+    const long u = static_cast<long>(unknown);
+    for (std::size_t j = 0; j < channels_; ++j)
+        for (std::size_t i = j; i < channels_; ++i) {
+            const std::complex<double> a = j < channel ? 0.0 : std::complex(inverse_re_[i * channels_ + channel], inverse_im_[i * channels_ + channel]);
+            const std::complex<double> b = j < channel ? 0.0 : std::complex(inverse_re_[j * channels_ + channel], -inverse_im_[j * channels_ + channel]);
+            const double scale = power * (i == j ? 1.0 : std::numbers::sqrt2);
+            rows_(static_cast<long>(row++), u) += scale * (a.real() * b.real() - a.imag() * b.imag());
+            if (i != j) rows_(static_cast<long>(row++), u) += scale * (a.real() * b.imag() + a.imag() * b.real());
+        }
+}
+
+void WhitenedColumns::end(const std::complex<double>* residual) {
+    long row = static_cast<long>(bins_ * channels_ * channels_);
+    for (std::size_t j = 0; j < channels_; ++j)
+        for (std::size_t i = j; i < channels_; ++i) {
+            const std::complex<double> own = residual[j * channels_ + i];
+            residual_(row++) = i == j ? own.real() : std::numbers::sqrt2 * own.real();
+            if (i != j) residual_(row++) = std::numbers::sqrt2 * own.imag();
+        }
+    if (++bins_ == kBins) flush();
+}
+
+void WhitenedColumns::flush() {
+    const long count = static_cast<long>(bins_ * channels_ * channels_);
+    const auto block = rows_.topRows(count);
+    gradient_.noalias() += block.transpose() * residual_.head(count);
+    information_.selfadjointView<Eigen::Lower>().rankUpdate(block.transpose(), 1.0);
+    bins_ = 0;
+}
+
+void WhitenedColumns::accumulate(double weight, Eigen::VectorXd& gradient, Eigen::MatrixXd& information) {
+    if (bins_ > 0) flush();
+    const long count = static_cast<long>(unknowns_);
+    gradient += weight * gradient_.head(count);
+    information.triangularView<Eigen::Lower>() += weight * information_.topLeftCorner(count, count);
+    gradient_.setZero();
+    information_.setZero();
+}
+
+}  // namespace railpem::diagnosis

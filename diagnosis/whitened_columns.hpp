@@ -1,0 +1,49 @@
+#pragma once
+// Derivatives of many unknowns at one bin, whitened together: the inner loop of every fit.
+
+#include <Eigen/Core>
+#include <complex>
+#include <cstddef>
+#include <vector>
+
+namespace railpem::diagnosis {
+
+/// Whitened derivatives A_u = L⁻¹ ∂_uS L⁻ᴴ of the bins of a chunk as rows of real numbers whose dot products over all rows are
+/// Σ tr(A_u A_v); unknowns lie side by side.
+class WhitenedColumns {
+  public:
+    /// For matrices of `channels` × `channels` and `unknowns` unknowns, of which the first `dense` may be set() and the others only
+    /// add_diagonal().
+    WhitenedColumns(std::size_t channels, std::size_t unknowns, std::size_t dense);
+
+    /// Begins a bin; `inverse_factor` is L⁻¹, lower triangular, column-major.
+    void begin(const std::complex<double>* inverse_factor);
+    /// The derivative of an unknown: Hermitian, column-major, its diagonal multiplied by `diagonal`.
+    void set(std::size_t unknown, const std::complex<double>* derivative, const double* diagonal);
+    /// Whitens everything that was set; the other unknowns have no derivative at this bin.
+    void whiten();
+    /// Adds power·L⁻¹ e_c e_cᴴ L⁻ᴴ to an unknown's whitened derivative: the derivative of a power on a channel's diagonal. After whiten().
+    void add_diagonal(std::size_t unknown, std::size_t channel, double power);
+    /// Ends a bin with its whitened residual, Hermitian, column-major.
+    void end(const std::complex<double>* residual);
+
+    /// Σ over the bins so far, times `weight`, added to `gradient` and the lower triangle of `information`; begins anew.
+    void accumulate(double weight, Eigen::VectorXd& gradient, Eigen::MatrixXd& information);
+
+  private:
+    static constexpr std::size_t kBins = 4;  ///< of a block that stays in the cache
+    using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+    double* at(std::vector<double>& values, std::size_t i, std::size_t j) { return &values[(i * channels_ + j) * dense_]; }
+    void flush();
+
+    std::size_t channels_, unknowns_, stride_, dense_;
+    std::vector<double> inverse_re_, inverse_im_;            ///< [row][column]
+    std::vector<double> re_, im_, half_re_, half_im_;        ///< [row][column][unknown], lower triangle
+    Rows rows_;                                              ///< of the block's bins
+    Eigen::VectorXd residual_;
+    std::size_t bins_ = 0;                                   ///< in the block
+    Eigen::VectorXd gradient_;
+    Eigen::MatrixXd information_;
+};
+
+}  // namespace railpem::diagnosis
