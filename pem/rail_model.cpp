@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "track/equilibria_abreast.hpp"
 #include "track/exact_rail.hpp"
 #include "track/modal_rail.hpp"
 #include "track/seat_stiffness.hpp"
@@ -175,6 +176,14 @@ track::StaticEquilibrium dynamic_equilibrium(const CaseParameters& parameters, c
     const std::vector<double> pads = case_pads(parameters, wheels);
     if (parameters.track.pads.preload_strength == 0.0) return track::load_independent_pads(parameters.track, pads);
     return track::static_equilibrium(parameters.track, wheels, wheel_load_n(parameters), pads, start);
+}
+
+std::vector<track::StaticEquilibrium> dynamic_equilibria(const CaseParameters& parameters, const std::vector<int>& first_seats,
+                                                         const std::vector<track::StaticEquilibrium>& start) {
+    const bool alike = parameters.track.failed_fasteners.empty() || parameters.track.pads.preload_strength == 0.0;
+    if (alike) return std::vector(first_seats.size(), dynamic_equilibrium(parameters, start.empty() ? nullptr : &start.front()));
+    const std::vector<double> wheels = vehicle::wheel_positions(parameters.vehicle);
+    return track::equilibria_abreast(parameters.track, wheels, wheel_load_n(parameters), case_pads(parameters, wheels), first_seats, start);
 }
 
 std::unique_ptr<RailModel> rail_model(const CaseParameters& parameters, const std::vector<double>& wheels_m,

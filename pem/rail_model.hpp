@@ -37,4 +37,8 @@ track::StaticEquilibrium case_equilibrium(const CaseParameters& parameters);
 /// case, to begin from.
 track::StaticEquilibrium dynamic_equilibrium(const CaseParameters& parameters, const track::StaticEquilibrium* start = nullptr);
 
+/// The same with the regularly failed seats counted from each of `first_seats` in turn; `start`: as many similar ones, or none.
+std::vector<track::StaticEquilibrium> dynamic_equilibria(const CaseParameters& parameters, const std::vector<int>& first_seats,
+                                                         const std::vector<track::StaticEquilibrium>& start = {});
+
 }  // namespace railpem::pem

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "track/pad_law.hpp"
-#include "track/pad_scale.hpp"
+#include "track/seat_row.hpp"
 #include "track/support_law.hpp"
 
 namespace railpem::track {
@@ -22,14 +22,10 @@ int length_index(std::vector<double>& lengths, double length) {
     return static_cast<int>(lengths.size()) - 1;
 }
 
-struct Seat {
-    double position_m, pad_stiffness, scale;
-};
-
 /// Merges seats and points into nodes and names the stretches between them.
 void place_nodes(ExactRail& rail, const std::vector<Seat>& seats, const std::vector<double>& points) {
     for (const Seat& seat : seats)
-        rail.nodes.push_back({.position_m = seat.position_m, .pad_stiffness_n_per_m = seat.pad_stiffness, .pad_scale = seat.scale, .supported = true});
+        rail.nodes.push_back({.position_m = seat.position_m, .pad_stiffness_n_per_m = seat.pad_stiffness_n_per_m, .pad_scale = seat.scale, .supported = true});
     for (std::size_t i = 0; i < points.size(); ++i) {
         const auto same = [&](const RailNode& node) { return std::abs(node.position_m - points[i]) < kSameNode; };
         const auto found = std::find_if(rail.nodes.begin(), rail.nodes.end(), same);
@@ -64,23 +60,9 @@ ExactRail exact_rail(const TrackParameters& track, const std::vector<double>& po
     ExactRail rail = bare_rail(track, equilibrium.unloaded_dynamic_stiffness_n_per_m);
     const double rearmost = *std::min_element(points_m.begin(), points_m.end());
     const double foremost = *std::max_element(points_m.begin(), points_m.end());
-    const std::size_t count = equilibrium.position_m.size();
-    const double origin = points_m.front() - track.wheel_offset_m;  // seat 0 of the numbering of failed fasteners
-    std::vector<Seat> seats;
-    const auto add_seat = [&](double position, double stiffness) {
-        const int seat = static_cast<int>(std::lround((position - origin) / track.spacing_m));
-        seats.push_back({position, stiffness, track.failed_fasteners.empty() ? 1.0 : pad_scale(track.failed_fasteners.front(), seat)});
-    };
-    // Points may lie beyond the pads of the equilibrium: the unloaded track goes on.
-    const double before = equilibrium.position_m.front() - rearmost;
-    const double after = foremost - equilibrium.position_m.back();
-    for (int n = before < 0.0 ? 0 : static_cast<int>(std::ceil(before / track.spacing_m)) + 1; n > 0; --n)
-        add_seat(equilibrium.position_m.front() - n * track.spacing_m, rail.uniform_pad_stiffness_n_per_m);
-    for (std::size_t j = 0; j < count; ++j) add_seat(equilibrium.position_m[j], equilibrium.dynamic_stiffness_n_per_m[j]);
-    for (int n = 1; after > 0.0 && n <= static_cast<int>(std::ceil(after / track.spacing_m)) + 1; ++n)
-        add_seat(equilibrium.position_m.back() + n * track.spacing_m, rail.uniform_pad_stiffness_n_per_m);
+    const std::vector<Seat> seats = seat_row(track, points_m, equilibrium);
     const auto differs = [&](const Seat& seat) {
-        return seat.scale != 1.0 || std::abs(seat.pad_stiffness / rail.uniform_pad_stiffness_n_per_m - 1.0) > tolerance;
+        return seat.scale != 1.0 || std::abs(seat.pad_stiffness_n_per_m / rail.uniform_pad_stiffness_n_per_m - 1.0) > tolerance;
     };
     const auto first = std::find_if(seats.begin(), seats.end(), [&](const Seat& s) { return differs(s) || s.position_m > rearmost - track.spacing_m - kSameNode; });
     const auto last = std::find_if(seats.rbegin(), seats.rend(), [&](const Seat& s) { return differs(s) || s.position_m < foremost + track.spacing_m + kSameNode; });

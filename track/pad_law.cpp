@@ -57,4 +57,10 @@ double pad_damping(const PadParameters& pads) {
     return loss_replaces_dashpot(pads) ? 0.0 : pads.damping_n_s_per_m;
 }
 
+double initial_dynamic_stiffness(const PadParameters& pads, double static_stiffness_n_per_m) {
+    const double s = pads.preload_strength;
+    return pads.dynamic_to_static_ratio *
+           std::max(0.0, (1.0 - s) * pads.static_stiffness_n_per_m + s * static_stiffness_n_per_m);
+}
+
 }  // namespace railpem::track

@@ -4,15 +4,12 @@
 
 #include <Eigen/Core>
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 
 #include "parameters/parameter_error.hpp"
-#include "track/pad_scale.hpp"
-#include "track/seat_law.hpp"
-#include "track/static_beam_element.hpp"
-#include "track/symmetric_band.hpp"
+#include "track/loaded_rail.hpp"
+#include "track/pad_law.hpp"
 
 namespace railpem::track {
 
@@ -20,105 +17,6 @@ using Eigen::VectorXd;
 using parameters::ParameterError;
 
 namespace {
-
-/// The rail on its pads, deflections and loads positive downwards. Nodes: the rear end, the pads, the front end. Wheels
-/// need no node of their own. The ends lie mid-bay beyond the outermost pads and do not rotate: the track goes on
-/// uniformly.
-struct LoadedRail {
-    SymmetricBand stiffness;  ///< of the beam
-    VectorXd load;            ///< rail weight and wheels
-    SeatLaw seat;
-    std::vector<double> scale;  ///< per pad, what a failed fastener has left
-    double largest_load_n = 0.0;
-
-    static int deflection(std::size_t pad) { return static_cast<int>(2 * pad + 1); }
-    std::size_t pads() const { return scale.size(); }
-};
-
-/// Unknown number of a node's deflection (0) and rotation (1); −1 for the rotations of the ends, which are zero.
-int unknown(std::size_t node, int kind, std::size_t nodes) {
-    if (node == 0) return kind == 0 ? 0 : -1;
-    if (node == nodes - 1) return kind == 0 ? static_cast<int>(2 * nodes - 3) : -1;
-    return static_cast<int>(2 * node) - 1 + kind;
-}
-
-std::array<int, 4> unknowns(std::size_t element, std::size_t nodes) {
-    return {unknown(element, 0, nodes), unknown(element, 1, nodes), unknown(element + 1, 0, nodes),
-            unknown(element + 1, 1, nodes)};
-}
-
-StaticBeamElement beam_element(const TrackParameters& track, double length_m) {
-    const double ei = static_bending_stiffness(track);
-    if (track.rail.beam == Beam::euler) return {length_m, ei, 0.0};
-    const double shear = track.rail.shear_coefficient * track.rail.shear_modulus_pa * track.rail.cross_section_m2;
-    return {length_m, ei, 12.0 * ei / (shear * length_m * length_m)};
-}
-
-std::vector<double> node_positions(const TrackParameters& track, const std::vector<double>& pads_m) {
-    std::vector<double> nodes_m{pads_m.front() - 0.5 * track.spacing_m};
-    nodes_m.insert(nodes_m.end(), pads_m.begin(), pads_m.end());
-    nodes_m.push_back(pads_m.back() + 0.5 * track.spacing_m);
-    return nodes_m;
-}
-
-/// Adds the wheels to the nodal loads.
-void add_wheels(VectorXd& load, const TrackParameters& track, const std::vector<double>& nodes_m,
-                const std::vector<double>& wheels_m, double wheel_load_n) {
-    for (std::size_t w = 0; w < wheels_m.size(); ++w) {
-        const double x = wheels_m[w];
-        if (x < nodes_m.front() || x > nodes_m.back())
-            throw ParameterError(
-                "solver.pads",
-                fmt::format("wheel {} stands at {:g} m, off the track, which reaches from {:g} m to {:g} m", w + 1, x,
-                            nodes_m.front(), nodes_m.back()),
-                "more pads");
-        const auto after = std::upper_bound(nodes_m.begin() + 1, nodes_m.end() - 1, x);
-        const std::size_t e = static_cast<std::size_t>(after - nodes_m.begin()) - 1;
-        const double length = nodes_m[e + 1] - nodes_m[e];
-        const Eigen::Vector4d shape = element_shape(beam_element(track, length), (x - nodes_m[e]) / length);
-        const std::array<int, 4> at = unknowns(e, nodes_m.size());
-        for (int a = 0; a < 4; ++a)
-            if (at[a] >= 0) load[at[a]] += wheel_load_n * shape[a];
-    }
-}
-
-SymmetricBand beam_matrix(const TrackParameters& track, const std::vector<double>& nodes_m) {
-    SymmetricBand matrix = SymmetricBand::Zero(4, static_cast<Eigen::Index>(2 * nodes_m.size()) - 2);
-    for (std::size_t e = 0; e + 1 < nodes_m.size(); ++e) {
-        const Eigen::Matrix4d k = element_stiffness(beam_element(track, nodes_m[e + 1] - nodes_m[e]));
-        const std::array<int, 4> at = unknowns(e, nodes_m.size());
-        for (int a = 0; a < 4; ++a)
-            for (int b = 0; b < 4; ++b)
-                if (at[b] >= 0 && at[a] >= at[b]) matrix(at[a] - at[b], at[b]) += k(a, b);
-    }
-    return matrix;
-}
-
-VectorXd rail_weight(const TrackParameters& track, const std::vector<double>& nodes_m) {
-    VectorXd load = VectorXd::Zero(static_cast<Eigen::Index>(2 * nodes_m.size()) - 2);
-    const double weight_n_per_m = rest_load_n(track) / track.spacing_m;
-    for (std::size_t e = 0; e + 1 < nodes_m.size(); ++e) {
-        const StaticBeamElement element = beam_element(track, nodes_m[e + 1] - nodes_m[e]);
-        const Eigen::Vector4d weight = weight_n_per_m * element_uniform_load(element);
-        const std::array<int, 4> at = unknowns(e, nodes_m.size());
-        for (int a = 0; a < 4; ++a)
-            if (at[a] >= 0) load[at[a]] += weight[a];
-    }
-    return load;
-}
-
-LoadedRail assemble(const TrackParameters& track, const std::vector<double>& wheels_m, double wheel_load_n,
-                    const std::vector<double>& pads_m) {
-    const std::vector<double> nodes_m = node_positions(track, pads_m);
-    LoadedRail rail;
-    rail.stiffness = beam_matrix(track, nodes_m);
-    rail.load = rail_weight(track, nodes_m);
-    add_wheels(rail.load, track, nodes_m, wheels_m, wheel_load_n);
-    rail.seat = seat_law(track);
-    for (const double x : pads_m) rail.scale.push_back(pad_scale(track, seat_index(track, wheels_m, x)));
-    rail.largest_load_n = std::max({std::abs(wheel_load_n), rest_load_n(track), track.statics.clip_preload_n});
-    return rail;
-}
 
 /// Where a deflection leads: the loads that nothing balances yet, N and N·m, the negative gradient of the potential energy; and the
 /// tangents of the seats. Both at once, for a seat on a support costs an iteration of its own.
@@ -199,14 +97,6 @@ NewtonResult newton(const LoadedRail& rail, const std::vector<double>& start, do
     refuse();
 }
 
-/// K0 = ratio·[(1 − s)·K_secant + s·K(S)], cut at zero: with s > 1 the law would give unloaded pads a negative
-/// stiffness.
-double initial_dynamic_stiffness(const PadParameters& pads, double static_stiffness) {
-    const double s = pads.preload_strength;
-    return pads.dynamic_to_static_ratio *
-           std::max(0.0, (1.0 - s) * pads.static_stiffness_n_per_m + s * static_stiffness);
-}
-
 void warn(StaticEquilibrium& result, const LoadedRail& rail) {
     std::size_t lifted = 0, beyond = 0;
     double largest_gap = 0.0, gap_at = 0.0;
@@ -232,7 +122,7 @@ void warn(StaticEquilibrium& result, const LoadedRail& rail) {
 StaticEquilibrium static_equilibrium(const TrackParameters& track, const std::vector<double>& wheels_m,
                                      double wheel_load_n, const std::vector<double>& pads_m, const StaticEquilibrium* start) {
     assert(!pads_m.empty() && std::is_sorted(pads_m.begin(), pads_m.end()));
-    const LoadedRail rail = assemble(track, wheels_m, wheel_load_n, pads_m);
+    const LoadedRail rail = loaded_rail(track, wheels_m, wheel_load_n, pads_m);
     const SeatState unloaded = unloaded_seat(rail.seat, rest_load_n(track));
     const NewtonResult found = newton(rail, start ? start->deflection : std::vector<double>{}, unloaded.displacement_m, track.spacing_m);
 

@@ -1,0 +1,147 @@
+#include "track/joint_deflection.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numeric>
+
+namespace railpem::track {
+
+using lanes::Complex;
+
+namespace {
+
+constexpr std::size_t kMostPoints = 8;
+constexpr double kSameNode = 1e-9;  ///< as in exact_rail
+
+/// Everything behind a place: a = S·β + e.
+struct Behind {
+    Complex s11, s12, s22;
+    WavePair e;
+};
+
+/// The waves over the bays, with what is the same in all of them computed once.
+struct BayFactors {
+    Complex first, second, first_first, first_second, second_second;
+    explicit BayFactors(const WavePair& factor)
+        : first(factor[0]), second(factor[1]), first_first(first * first), first_second(first * second), second_second(second * second) {}
+};
+
+void cross_bay(const BayFactors& bay, Behind& behind) {
+    behind.s11 = behind.s11 * bay.first_first;
+    behind.s12 = behind.s12 * bay.first_second;
+    behind.s22 = behind.s22 * bay.second_second;
+    behind.e = {behind.e[0] * bay.first, behind.e[1] * bay.second};
+}
+
+Scatter scatter(const WavePair& excited, const Complex& difference, Behind& behind) {
+    const Complex u1 = excited[0] + behind.s11 + behind.s12, u2 = excited[1] + behind.s12 + behind.s22;
+    const Complex sigma = difference / (difference * (u1 + u2) + 1.0);
+    const Scatter seat{{sigma * u1, sigma * u2}, sigma * (behind.e[0] + behind.e[1])};
+    behind.s11 -= seat.strength[0] * u1;
+    behind.s12 -= seat.strength[0] * u2;
+    behind.s22 -= seat.strength[1] * u2;
+    behind.e[0] -= u1 * seat.load;
+    behind.e[1] -= u2 * seat.load;
+    return seat;
+}
+
+/// A unit force in the bay: into what is behind the next pad; to be called before cross_bay().
+WavePair forced(const BayPoint& point, const WavePair& excited, const BayFactors& bay, const Behind& behind) {
+    const auto& [p1, p2] = point.from_rear;
+    return {bay.first * (behind.e[0] + behind.s11 * p1 + behind.s12 * p2) + excited[0] * point.from_front[0],
+            bay.second * (behind.e[1] + behind.s12 * p1 + behind.s22 * p2) + excited[1] * point.from_front[1]};
+}
+
+/// On the way back across a bay with a point: its deflection. β is that over the pad ahead, and becomes that over the pad behind.
+Complex deflection(const BayPoint& point, const WavePair& excited, const BayFactors& bay, const Behind& behind, WavePair& beta) {
+    Complex w = point.own;
+    for (std::size_t i = 0; i < 2; ++i) w += point.from_front[i] * excited[i] * beta[i];
+    beta = {beta[0] * bay.first + point.from_rear[0], beta[1] * bay.second + point.from_rear[1]};
+    w += point.from_rear[0] * (behind.s11 * beta[0] + behind.s12 * beta[1] + behind.e[0]);
+    w += point.from_rear[1] * (behind.s12 * beta[0] + behind.s22 * beta[1] + behind.e[1]);
+    return w;
+}
+
+/// `Count` rows in step: one waits for the division of its last seat while the other computes.
+template <std::size_t Count>
+void sweep(const BlochWaves& waves, const SupportLaw& law, double uniform, const std::vector<Seat>* const* rows, const PlacedPoints& placed,
+           std::span<const BayPoint> points, ScatterRow& memory, Complex* result, double tolerance) {
+    const BayFactors bay(waves.factor);
+    const std::size_t seats = rows[0]->size(), count = placed.points.size();
+    std::array<Behind, Count> behind{};
+    std::array<std::array<Behind, Count>, kMostPoints> at_point;
+    std::size_t point = 0;
+    for (std::size_t j = 0; j < seats; ++j) {
+        for (std::size_t t = 0; t < Count; ++t) {
+            const Seat& seat = (*rows[t])[j];
+            if (seat.scale == 1.0 && std::abs(seat.pad_stiffness_n_per_m - uniform) <= tolerance * uniform) {
+                memory[j][t] = {};
+                continue;
+            }
+            memory[j][t] = scatter(waves.excited, law.stiffness(seat.pad_stiffness_n_per_m, seat.scale) - waves.support, behind[t]);
+        }
+        const bool has_point = point < count && placed.points[point].seat == j;
+        for (std::size_t t = 0; t < Count; ++t) {
+            if (!has_point) {
+                cross_bay(bay, behind[t]);
+                continue;
+            }
+            at_point[point][t] = behind[t];
+            const WavePair e = forced(points[point], waves.excited, bay, behind[t]);
+            cross_bay(bay, behind[t]);
+            behind[t].e = e;
+        }
+        if (has_point) ++point;
+    }
+    assert(point == count);
+    std::array<WavePair, Count> beta{};
+    for (std::size_t j = seats; j-- > 0;) {
+        const bool has_point = point > 0 && placed.points[point - 1].seat == j;
+        if (has_point) --point;
+        for (std::size_t t = 0; t < Count; ++t) {
+            WavePair& b = beta[t];
+            if (has_point)
+                result[t * count + placed.order[point]] = deflection(points[point], waves.excited, bay, at_point[point][t], b);
+            else
+                b = {b[0] * bay.first, b[1] * bay.second};
+            const Scatter& seat = memory[j][t];
+            const Complex force = seat.strength[0] * b[0] + seat.strength[1] * b[1] + seat.load;
+            b[0] -= force;
+            b[1] -= force;
+        }
+    }
+}
+
+}  // namespace
+
+std::optional<PlacedPoints> place_points(const std::vector<Seat>& seats, const std::vector<double>& points_m, double spacing_m) {
+    assert(points_m.size() <= kMostPoints);
+    PlacedPoints placed;
+    placed.order.resize(points_m.size());
+    std::iota(placed.order.begin(), placed.order.end(), std::size_t{0});
+    std::sort(placed.order.begin(), placed.order.end(), [&](std::size_t a, std::size_t b) { return points_m[a] < points_m[b]; });
+    for (const std::size_t i : placed.order) {
+        const double bays = (points_m[i] - seats.front().position_m) / spacing_m;
+        const std::size_t seat = static_cast<std::size_t>(std::floor(bays + kSameNode / spacing_m));
+        assert(bays > -kSameNode && seat < seats.size());
+        if (!placed.points.empty() && placed.points.back().seat == seat) return std::nullopt;
+        const double ahead = points_m[i] - seats[seat].position_m;
+        placed.points.push_back({seat, ahead < kSameNode ? 0.0 : ahead});
+    }
+    return placed;
+}
+
+void joint_deflection(const BlochWaves& waves, const SupportLaw& law, double uniform_pad_stiffness_n_per_m,
+                      std::span<const std::vector<Seat>* const> rows, const PlacedPoints& placed, std::span<const BayPoint> points,
+                      ScatterRow& memory, Complex* result, double tolerance) {
+    assert(points.size() == placed.points.size());
+    memory.resize(rows.front()->size());
+    const std::size_t count = placed.points.size();
+    std::size_t r = 0;
+    for (; r + 2 <= rows.size(); r += 2)
+        sweep<2>(waves, law, uniform_pad_stiffness_n_per_m, rows.data() + r, placed, points, memory, result + r * count, tolerance);
+    if (r < rows.size()) sweep<1>(waves, law, uniform_pad_stiffness_n_per_m, rows.data() + r, placed, points, memory, result + r * count, tolerance);
+}
+
+}  // namespace railpem::track
