@@ -64,30 +64,48 @@ void add_wheel_lines(const CaseParameters& parameters, double speed, std::vector
 
 }  // namespace
 
+namespace {
+
+/// In standard deviations of a line: beyond it lies less than 1e-32 of its power, less than the rounding of an amplitude.
+constexpr double kFarthest = 12.0;
+
+/// What every bin asks of a line, computed once.
+struct LinePower {
+    std::array<double, 4> power{};                 ///< m² per wheel
+    std::array<std::complex<double>, 4> phase{};   ///< of size 1
+    double sum = 0.0, frequency_hz = 0.0;
+
+    explicit LinePower(const SpectralLine& line) : frequency_hz(line.frequency_hz) {
+        for (std::size_t j = 0; j < 4; ++j) {
+            power[j] = 0.5 * std::norm(line.amplitude_m[j]);
+            phase[j] = std::polar(1.0, std::arg(line.amplitude_m[j]));
+            sum += power[j];
+        }
+    }
+};
+
+}  // namespace
+
 Source line_source(std::string name, std::vector<SpectralLine> lines, double speed_fluctuation) {
-    const auto amplitude = [lines = std::move(lines), speed_fluctuation](const LineGroup& group) {
+    const auto amplitude = [lines = std::vector<LinePower>(lines.begin(), lines.end()), speed_fluctuation](const LineGroup& group) {
         WheelVector e;
         for (int lane = 0; lane < lanes::width; ++lane) {
             const double f = group.omega[lane] / kTwoPi;
             std::array<double, 4> power{};
             double strongest = 0.0;
-            const SpectralLine* leading = nullptr;
-            for (const SpectralLine& line : lines) {
+            const LinePower* leading = nullptr;
+            for (const LinePower& line : lines) {
+                if (std::abs(f - line.frequency_hz) > kFarthest * speed_fluctuation * line.frequency_hz + group.step_hz) continue;
                 const double share = spectra::line_power_in_bin(f - 0.5 * group.step_hz, f + 0.5 * group.step_hz, line.frequency_hz, 1.0,
                                                                 speed_fluctuation * line.frequency_hz) / group.step_hz;
-                double sum = 0.0;
-                for (std::size_t j = 0; j < 4; ++j) {
-                    const double own = 0.5 * share * std::norm(line.amplitude_m[j]);
-                    power[j] += own;
-                    sum += own;
-                }
-                if (sum > strongest) {
-                    strongest = sum;
+                for (std::size_t j = 0; j < 4; ++j) power[j] += share * line.power[j];
+                if (share * line.sum > strongest) {
+                    strongest = share * line.sum;
                     leading = &line;
                 }
             }
             if (!leading) continue;
-            for (std::size_t j = 0; j < 4; ++j) e[j].set(lane, std::polar(std::sqrt(power[j]), std::arg(leading->amplitude_m[j])));
+            for (std::size_t j = 0; j < 4; ++j) e[j].set(lane, std::sqrt(power[j]) * leading->phase[j]);
         }
         return e;
     };

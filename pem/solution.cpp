@@ -53,6 +53,13 @@ lanes::Real group_omega(const std::vector<double>& frequencies, std::size_t grou
     return omega;
 }
 
+bool is_zero(const WheelVector& irregularity) {
+    for (const lanes::Complex& e : irregularity)
+        for (int lane = 0; lane < lanes::width; ++lane)
+            if (e.re[lane] != 0.0 || e.im[lane] != 0.0) return false;
+    return true;
+}
+
 /// Pseudo-responses of one group of lines for every source.
 void store_group(const GroupSolution& group, const std::vector<Source>& sources, double step_hz, std::size_t first_line, Solution& solution) {
     const std::size_t lines = solution.frequency_hz.size();
@@ -61,7 +68,9 @@ void store_group(const GroupSolution& group, const std::vector<Source>& sources,
     std::array<lanes::Complex, 32> response;
     assert(responses_count <= response.size());
     for (std::size_t s = 0; s < sources.size(); ++s) {
-        responses(group, sources[s].amplitude({group.omega, step_hz}), response.data());
+        const WheelVector irregularity = sources[s].amplitude({group.omega, step_hz});
+        if (is_zero(irregularity)) continue;  // between spectral lines; the rows are zero already
+        responses(group, irregularity, response.data());
         for (std::size_t r = 0; r < responses_count; ++r) {
             std::complex<double>* row = solution.pseudo_response.data() + (s * responses_count + r) * lines + first_line;
             for (std::size_t lane = 0; lane < count; ++lane) row[lane] = response[r][static_cast<int>(lane)];

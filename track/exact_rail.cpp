@@ -108,4 +108,15 @@ lanes::Complex SupportLaw::stiffness(double pad_stiffness_n_per_m, double scale)
     return pad / (pad * below_ + 1.0);
 }
 
+SupportLaw::Change SupportLaw::change_from(double uniform_n_per_m) const {
+    Change change;
+    const lanes::Complex softening = lanes::reciprocal((shape_ * uniform_n_per_m + dashpot_) * below_ + 1.0);
+    change.over_stiffness_ = shape_ * softening;
+    change.over_scale_ = dashpot_ * softening;
+    change.under_stiffness_ = shape_ * below_;
+    change.under_scale_ = dashpot_ * below_;
+    change.uniform_ = uniform_n_per_m;
+    return change;
+}
+
 }  // namespace railpem::track

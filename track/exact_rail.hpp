@@ -69,6 +69,24 @@ class SupportLaw {
     SupportLaw(const PadParameters& pads, const SupportParameters& support, lanes::Real omega);
     lanes::Complex stiffness(double pad_stiffness_n_per_m, double scale = 1.0) const;
 
+    /// stiffness(K0, scale) − stiffness(K0 of `uniform_n_per_m`) as a fraction, so that what goes on with it needs no division of its own and
+    /// small changes do not cancel: with pads P and P_u on R below, [(P − P_u)/(1 + P_u·R)] / (1 + P·R).
+    class Change {
+      public:
+        lanes::Complex numerator(double pad_stiffness_n_per_m, double scale) const {
+            return over_stiffness_ * (pad_stiffness_n_per_m * scale - uniform_) + over_scale_ * (scale - 1.0);
+        }
+        lanes::Complex denominator(double pad_stiffness_n_per_m, double scale) const {
+            return under_stiffness_ * (pad_stiffness_n_per_m * scale) + under_scale_ * scale + 1.0;
+        }
+
+      private:
+        friend class SupportLaw;
+        lanes::Complex over_stiffness_, over_scale_, under_stiffness_, under_scale_;
+        double uniform_ = 0.0;
+    };
+    Change change_from(double uniform_n_per_m) const;
+
   private:
     lanes::Complex shape_, dashpot_, below_;
     bool rigid_;

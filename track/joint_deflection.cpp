@@ -11,7 +11,7 @@ using lanes::Complex;
 
 namespace {
 
-constexpr std::size_t kMostPoints = 8;
+constexpr std::size_t kMostPoints = 4;
 constexpr double kSameNode = 1e-9;  ///< as in exact_rail
 
 /// Everything behind a place: a = S·β + e.
@@ -27,20 +27,33 @@ struct BayFactors {
         : first(factor[0]), second(factor[1]), first_first(first * first), first_second(first * second), second_second(second * second) {}
 };
 
-void cross_bay(const BayFactors& bay, Behind& behind) {
+inline void cross_bay_unloaded(const BayFactors& bay, Behind& behind) {
     behind.s11 = behind.s11 * bay.first_first;
     behind.s12 = behind.s12 * bay.first_second;
     behind.s22 = behind.s22 * bay.second_second;
+}
+
+inline void cross_bay(const BayFactors& bay, Behind& behind) {
+    cross_bay_unloaded(bay, behind);
     behind.e = {behind.e[0] * bay.first, behind.e[1] * bay.second};
 }
 
-Scatter scatter(const WavePair& excited, const Complex& difference, Behind& behind) {
-    const Complex u1 = excited[0] + behind.s11 + behind.s12, u2 = excited[1] + behind.s12 + behind.s22;
-    const Complex sigma = difference / (difference * (u1 + u2) + 1.0);
-    const Scatter seat{{sigma * u1, sigma * u2}, sigma * (behind.e[0] + behind.e[1])};
+/// A seat over which nothing has pushed the rail yet.
+inline Scatter scatter_unloaded(const WavePair& excited, const Complex& numerator, const Complex& denominator, Behind& behind, Complex& u1, Complex& u2) {
+    u1 = excited[0] + behind.s11 + behind.s12;
+    u2 = excited[1] + behind.s12 + behind.s22;
+    const Complex sigma = numerator / (numerator * (u1 + u2) + denominator);
+    const Scatter seat{{sigma * u1, sigma * u2}, sigma};
     behind.s11 -= seat.strength[0] * u1;
     behind.s12 -= seat.strength[0] * u2;
     behind.s22 -= seat.strength[1] * u2;
+    return seat;
+}
+
+inline Scatter scatter(const WavePair& excited, const Complex& numerator, const Complex& denominator, Behind& behind) {
+    Complex u1, u2;
+    Scatter seat = scatter_unloaded(excited, numerator, denominator, behind, u1, u2);
+    seat.load = seat.load * (behind.e[0] + behind.e[1]);
     behind.e[0] -= u1 * seat.load;
     behind.e[1] -= u2 * seat.load;
     return seat;
@@ -65,21 +78,30 @@ Complex deflection(const BayPoint& point, const WavePair& excited, const BayFact
 
 /// `Count` rows in step: one waits for the division of its last seat while the other computes.
 template <std::size_t Count>
-void sweep(const BlochWaves& waves, const SupportLaw& law, double uniform, const std::vector<Seat>* const* rows, const PlacedPoints& placed,
+void sweep(const BlochWaves& waves, const SupportLaw::Change& change, double uniform, const std::vector<Seat>* const* rows, const PlacedPoints& placed,
            std::span<const BayPoint> points, ScatterRow& memory, Complex* result, double tolerance) {
     const BayFactors bay(waves.factor);
     const std::size_t seats = rows[0]->size(), count = placed.points.size();
     std::array<Behind, Count> behind{};
     std::array<std::array<Behind, Count>, kMostPoints> at_point;
-    std::size_t point = 0;
-    for (std::size_t j = 0; j < seats; ++j) {
+    const auto differs = [&](const Seat& seat) { return seat.scale != 1.0 || std::abs(seat.pad_stiffness_n_per_m - uniform) > tolerance * uniform; };
+    const std::size_t loaded = placed.points.front().seat + 1;  // behind it nothing pushes, and the way back ends there
+    for (std::size_t j = 0; j < loaded; ++j)
         for (std::size_t t = 0; t < Count; ++t) {
+            if (j > 0) cross_bay_unloaded(bay, behind[t]);
             const Seat& seat = (*rows[t])[j];
-            if (seat.scale == 1.0 && std::abs(seat.pad_stiffness_n_per_m - uniform) <= tolerance * uniform) {
-                memory[j][t] = {};
-                continue;
-            }
-            memory[j][t] = scatter(waves.excited, law.stiffness(seat.pad_stiffness_n_per_m, seat.scale) - waves.support, behind[t]);
+            Complex u1, u2;
+            if (differs(seat))
+                scatter_unloaded(waves.excited, change.numerator(seat.pad_stiffness_n_per_m, seat.scale),
+                                 change.denominator(seat.pad_stiffness_n_per_m, seat.scale), behind[t], u1, u2);
+        }
+    std::size_t point = 0;
+    for (std::size_t j = loaded - 1; j < seats; ++j) {
+        for (std::size_t t = 0; t < Count && j >= loaded; ++t) {
+            const Seat& seat = (*rows[t])[j];
+            memory[j][t] = differs(seat) ? scatter(waves.excited, change.numerator(seat.pad_stiffness_n_per_m, seat.scale),
+                                                   change.denominator(seat.pad_stiffness_n_per_m, seat.scale), behind[t])
+                                         : Scatter{};
         }
         const bool has_point = point < count && placed.points[point].seat == j;
         for (std::size_t t = 0; t < Count; ++t) {
@@ -89,14 +111,15 @@ void sweep(const BlochWaves& waves, const SupportLaw& law, double uniform, const
             }
             at_point[point][t] = behind[t];
             const WavePair e = forced(points[point], waves.excited, bay, behind[t]);
-            cross_bay(bay, behind[t]);
+            cross_bay_unloaded(bay, behind[t]);
             behind[t].e = e;
         }
         if (has_point) ++point;
     }
     assert(point == count);
     std::array<WavePair, Count> beta{};
-    for (std::size_t j = seats; j-- > 0;) {
+    for (std::size_t j = seats; point > 0;) {
+        --j;
         const bool has_point = point > 0 && placed.points[point - 1].seat == j;
         if (has_point) --point;
         for (std::size_t t = 0; t < Count; ++t) {
@@ -105,6 +128,7 @@ void sweep(const BlochWaves& waves, const SupportLaw& law, double uniform, const
                 result[t * count + placed.order[point]] = deflection(points[point], waves.excited, bay, at_point[point][t], b);
             else
                 b = {b[0] * bay.first, b[1] * bay.second};
+            if (point == 0) continue;
             const Scatter& seat = memory[j][t];
             const Complex force = seat.strength[0] * b[0] + seat.strength[1] * b[1] + seat.load;
             b[0] -= force;
@@ -138,10 +162,11 @@ void joint_deflection(const BlochWaves& waves, const SupportLaw& law, double uni
     assert(points.size() == placed.points.size());
     memory.resize(rows.front()->size());
     const std::size_t count = placed.points.size();
+    const SupportLaw::Change change = law.change_from(uniform_pad_stiffness_n_per_m);
     std::size_t r = 0;
     for (; r + 2 <= rows.size(); r += 2)
-        sweep<2>(waves, law, uniform_pad_stiffness_n_per_m, rows.data() + r, placed, points, memory, result + r * count, tolerance);
-    if (r < rows.size()) sweep<1>(waves, law, uniform_pad_stiffness_n_per_m, rows.data() + r, placed, points, memory, result + r * count, tolerance);
+        sweep<2>(waves, change, uniform_pad_stiffness_n_per_m, rows.data() + r, placed, points, memory, result + r * count, tolerance);
+    if (r < rows.size()) sweep<1>(waves, change, uniform_pad_stiffness_n_per_m, rows.data() + r, placed, points, memory, result + r * count, tolerance);
 }
 
 }  // namespace railpem::track

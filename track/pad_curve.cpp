@@ -68,12 +68,14 @@ void find_polynomial_ends(PadCurve& curve, const PadParameters& pads) {
                                  "a curve that starts near F = 0 and rises");
     }
     curve.free_compression_m = bisect(curve, s, s + step, 0.0);
-    for (s = curve.free_compression_m; force(s) < pads.curve_limit_n; s += step) {
-        if (measured_value(curve, s).slope_n_per_m <= 0.0 || s - curve.free_compression_m > farthest)
+    for (s = curve.free_compression_m;; s += step) {
+        const ForceAndSlope here = measured_value(curve, s);
+        if (!(here.force_n < pads.curve_limit_n)) break;
+        if (here.slope_n_per_m <= 0.0 || s - curve.free_compression_m > farthest)
             throw ParameterError(
                 "track.pads.force_polynomial_n",
                 fmt::format("the static curve stops rising at a compression of {:.3g} mm, at {:.3g} kN", 1e3 * s,
-                            1e-3 * force(s)),
+                            1e-3 * here.force_n),
                 "a curve that rises up to curve_limit_n, or a smaller curve_limit_n");
     }
     const double before = std::max(s - step, curve.free_compression_m);

@@ -62,6 +62,18 @@ RailElement short_element(const BeamCoefficients& beam, double length) {
     return {inverted * from_displacement, zero - inverted};
 }
 
+/// Of any lane; a bound from the sizes of p and q, λ⁴ = pλ² + q.
+double largest_wavenumber(const BeamCoefficients& beam) {
+    const Complex flexibility = lanes::reciprocal(beam.bending);
+    const Complex& s = beam.shear_compliance;
+    const Real p2 = lanes::norm(flexibility * beam.rotary + s * beam.inertia);
+    const Real q2 = lanes::norm(beam.inertia * flexibility * (Complex(1.0) - s * beam.rotary));
+    const Real square = 0.5 * lanes::sqrt(p2) + lanes::sqrt(0.25 * p2 + lanes::sqrt(q2));
+    double largest = 0.0;
+    for (int lane = 0; lane < lanes::width; ++lane) largest = std::max(largest, square[lane]);
+    return std::sqrt(largest);
+}
+
 /// Two equal elements in a row, the node between them condensed.
 RailElement doubled(const RailElement& half) {
     // near + mirrored(near) is diagonal.
@@ -98,13 +110,7 @@ BeamCoefficients beam_coefficients(const RailParameters& rail, const std::vector
 Matrix2 mirrored(const Matrix2& block) { return {block.a, -block.b, -block.c, block.d}; }
 
 RailElement rail_element(const BeamCoefficients& beam, double length_m) {
-    double wavenumber = 0.0;
-    for (int lane = 0; lane < lanes::width; ++lane) {
-        const std::complex<double> b = beam.bending[lane], s = beam.shear_compliance[lane], mu = beam.inertia[lane];
-        const double p = std::abs(beam.rotary[lane] / b + s * mu);
-        const double q = std::abs(mu / b * (1.0 - s * beam.rotary[lane]));
-        wavenumber = std::max(wavenumber, std::sqrt(0.5 * p + std::sqrt(0.25 * p * p + q)));
-    }
+    const double wavenumber = largest_wavenumber(beam);
     int doublings = 0;
     while (wavenumber * length_m > kSeriesReach) {
         length_m /= 2.0;
