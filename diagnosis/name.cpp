@@ -12,7 +12,7 @@ namespace railpem::diagnosis {
 namespace {
 
 constexpr double kLeastRelease = 3.0;           ///< nats to first order; what a wrong belief distorts is seen too small from there
-constexpr double kLeastShare = 0.04;  ///< of the best promise; what is weaker waits for the next round
+constexpr double kLeastShare = 0.04;  ///< of the best promise of its kind (sensor or structure); what is weaker waits for the next round
 
 /// One variant of an effect with the starting points that promise most.
 using Starts = std::vector<Promise>;
@@ -23,10 +23,13 @@ std::vector<Starts> worth_refitting(const std::vector<Promise>& promises, const 
     constexpr std::size_t kStartsPerVariant = 3;
     std::map<std::string, int> of_effect;
     std::map<std::string, std::size_t> of_variant;
+    std::map<bool, double> best_of_kind;
     std::vector<Starts> chosen;
     for (const Promise& promise : promises) {
-        if (promise.gain < least || promise.gain < kLeastShare * promises.front().gain) break;
+        if (promise.gain < least) break;
         const EffectInstance& instance = candidates[promise.candidate].instance;
+        const double best = best_of_kind.try_emplace(element_of(*find_effect(instance.effect), instance) == Element::sensor, promise.gain).first->second;
+        if (promise.gain < kLeastShare * best) continue;
         if (const auto known = of_variant.find(label_of(instance)); known != of_variant.end()) {
             if (chosen[known->second].size() < kStartsPerVariant) chosen[known->second].push_back(promise);
             continue;
@@ -59,6 +62,8 @@ struct Interrupted {};
 
 constexpr double kBluntFloor = 0.1;
 constexpr int kBluntIterations = 2;
+constexpr int kFurtherBluntIterations = 6;  ///< of an effect's best start
+constexpr std::size_t kSharpened = 3;  ///< of the effects fitted from afar: those that the blunt likelihood prefers, until nothing is left
 
 /// Typical values, and every parameter in turn near either end of its range.
 std::vector<Candidate> starts_of(const Candidate& candidate) {
@@ -132,27 +137,38 @@ class Search {
         return most;
     }
 
+    /// Is a place of the structure evident? Sensors do not count: free at every frequency, one imitates what its channel shows most.
+    bool is_among(const std::vector<LocatedEvidence>& left, Element element) const {
+        constexpr double kEvident = 0.1;  ///< share of the most evident place's nats
+        double most = options_.residual / kEvident;
+        for (const LocatedEvidence& own : left)
+            if (own.place.element != Element::sensor) most = std::max(most, own.nats);
+        return std::any_of(left.begin(), left.end(), [&](const LocatedEvidence& own) { return own.place.element == element && own.nats > kEvident * most; });
+    }
+
     /// A strong effect distorts the retuned case so much that no first derivative finds it from there. Effects of the evident
     /// places are fitted as the retuned case was: from the believed numbers, at a typical strength, with a blunt likelihood first.
     void rescue_round() {
-        const std::vector<LocatedEvidence>& left = result_.left_by_best.empty() ? left_by_retuned_ : result_.left_by_best;
-        constexpr double kEvident = 0.1;  ///< share of the most evident place's nats
-        double most = options_.residual;  // of the structure: a sensor, free at every frequency, imitates what one channel shows most
-        for (const LocatedEvidence& own : left)
-            if (own.place.element != Element::sensor) most = std::max(most, own.nats);
+        if (left_by_retuned_.empty()) left_by_retuned_ = locate(result_.retuned.fit, context_);
         const auto is_evident = [&](Element element) {
             if (element == Element::support) element = Element::pad;  // rigid ground has no correction of its own
-            return std::any_of(left.begin(), left.end(), [&](const LocatedEvidence& own) { return own.place.element == element && own.nats > kEvident * most; });
+            return is_among(left_by_retuned_, element) || is_among(result_.left_by_best, element);
         };
         std::vector<std::string> done;
+        std::vector<FittedSet> blunt;
         for (const Candidate& candidate : result_.candidates) {
             const Effect& effect = *find_effect(candidate.instance.effect);
             const Element element = element_of(effect, candidate.instance);
-            if (element == Element::sensor || element == Element::irregularity || effect.id == "wheel-out-of-roundness" || effect.id == "failed-fasteners") continue;
+            if (element == Element::sensor || element == Element::irregularity || effect.id == "wheel-out-of-roundness" || effect.id == "failed-fasteners" || effect.id == "contact-nonlinearity") continue;
             const std::string label = label_of(candidate.instance);
             if (!is_evident(element) || std::find(done.begin(), done.end(), label) != done.end()) continue;
             done.push_back(label);
-            try_from_afar(candidate);
+            blunt.push_back(best_from_afar(candidate));
+        }
+        std::stable_sort(blunt.begin(), blunt.end(), [](const FittedSet& a, const FittedSet& b) { return a.fit.log_posterior > b.fit.log_posterior; });
+        for (std::size_t i = 0; i < std::min(kSharpened, blunt.size()); ++i) {
+            sharpen(blunt[i]);
+            if (left_over() < options_.residual) break;
         }
     }
 
@@ -161,8 +177,8 @@ class Search {
         if (options_.interrupted && options_.interrupted()) throw Interrupted{};
     }
 
-    /// Several starts with a likelihood that is blunt enough to be smooth; the best of them is then sharpened.
-    void try_from_afar(const Candidate& candidate) {
+    /// Several starts with a likelihood that is blunt enough to be smooth.
+    FittedSet best_from_afar(const Candidate& candidate) {
         const std::string label = label_of(candidate.instance) + " from afar";
         FitOptions blunt_options{.iterations = kBluntIterations, .from_far = false};
         blunt_options.between = [this, label] { say(label, 0.7); };
@@ -173,9 +189,16 @@ class Search {
             FittedSet set = fit_set(believed_, Fit{}, {start}, {}, {}, blunt, blunt_options);
             if (best.effects.empty() || set.fit.log_posterior > best.fit.log_posterior) best = std::move(set);
         }
+        blunt_options.iterations = kFurtherBluntIterations;
+        return fit_set(believed_, best.fit, best.effects, {}, {}, blunt, blunt_options);
+    }
+
+    /// From the blunt likelihood to the sharp one in small steps.
+    void sharpen(const FittedSet& blunt) {
+        const std::string label = label_of(blunt.effects.front().instance) + " from afar";
         FitOptions sharp_options{.iterations = 20, .stages = {0.1, 0.04, 0.015, 0.006, 0.0025}, .stage_iterations = 5};
-        sharp_options.between = blunt_options.between;
-        result_.sets.push_back(fit_set(believed_, best.fit, best.effects, {}, {}, context_, sharp_options));
+        sharp_options.between = [this, label] { say(label, 0.7); };
+        result_.sets.push_back(fit_set(believed_, blunt.fit, blunt.effects, {}, {}, context_, sharp_options));
     }
 
     void retune() {
