@@ -63,6 +63,9 @@ struct Interrupted {};
 constexpr double kBluntFloor = 0.1;
 constexpr int kBluntIterations = 2;
 constexpr int kFurtherBluntIterations = 6;  ///< of an effect's best start
+constexpr double kFar = 50.0;          ///< nats that a start may lie below the fit that it starts from and still be near
+constexpr int kFarChance = 10;
+constexpr int kFarIterations = 4;
 constexpr std::size_t kSharpened = 3;  ///< of the effects fitted from afar: those that the blunt likelihood prefers, until nothing is left
 
 /// Typical values, and every parameter in turn near either end of its range.
@@ -211,14 +214,15 @@ class Search {
         result_.retuned.held_out = part_log_likelihood(result_.retuned.fit, context_, Part::held_out);
     }
 
-    const FittedSet& try_set(const Fit& near, std::vector<Candidate> members, std::vector<std::string> released, double share) {
+    const FittedSet& try_set(const Fit& near, std::vector<Candidate> members, std::vector<std::string> released, double share, bool far = false) {
         std::string text;
         for (const Candidate& member : members) text += (text.empty() ? "" : " + ") + label_of(member.instance);
         for (const std::string& key : released) text += (text.empty() ? "" : " + ") + key;
         say(text, share);
         FitOptions fit_options;
         fit_options.between = [this, text, share] { say(text, share); };
-        fit_options.from_far = false;
+        fit_options.from_far = far;
+        if (far) fit_options.chance = kFarChance, fit_options.stage_iterations = kFarIterations;
         for (const FittedSet& set : result_.sets) fit_options.rival = std::max(fit_options.rival, set.fit.log_posterior);
         result_.sets.push_back(fit_set(believed_, near, std::move(members), std::move(released), {}, context_, fit_options));
         return result_.sets.back();
@@ -258,11 +262,28 @@ class Search {
         for (std::size_t i = 1; i < starts.size(); ++i)
             if (Started other = started(near, starts[i], members, released); other.log_posterior > best.log_posterior) best = std::move(other);
         members.push_back(best.candidate);
-        return try_set(best.near, std::move(members), std::move(released), share);
+        // What replaces a law of the case begins far below it, however mild: it gets the way of the retuned case, blunt first.
+        const bool far = best.log_posterior < near.log_posterior - kFar;
+        return try_set(best.near, std::move(members), std::move(released), share, far);
+    }
+
+    /// What replaces a law competes wherever something else at its place is worth a refit.
+    void add_replacing(std::vector<Starts>& chosen) const {
+        const auto element = [&](const Promise& promise) {
+            const EffectInstance& instance = result_.candidates[promise.candidate].instance;
+            return element_of(*find_effect(instance.effect), instance);
+        };
+        for (const Promise& promise : result_.first_promises) {
+            if (!result_.candidates[promise.candidate].replaces) continue;
+            const bool there = std::any_of(chosen.begin(), chosen.end(), [&](const Starts& own) { return own.front().candidate == promise.candidate; });
+            const bool wanted = std::any_of(chosen.begin(), chosen.end(), [&](const Starts& own) { return element(own.front()) == element(promise); });
+            if (wanted && !there) chosen.push_back({promise});
+        }
     }
 
     void first_round() {
-        const std::vector<Starts> chosen = worth_refitting(result_.first_promises, result_.candidates, options_.least_promise, options_.refits);
+        std::vector<Starts> chosen = worth_refitting(result_.first_promises, result_.candidates, options_.least_promise, options_.refits);
+        add_replacing(chosen);
         const std::vector<std::string> keys = worth_releasing(result_.retuned.fit, {}, kLeastRelease, 2);
         const double step = 0.4 / static_cast<double>(chosen.size() + keys.size() + 1);
         double share = 0.25;
