@@ -65,13 +65,31 @@ FineGrid fine_grid(const recordings::WindowKernel& kernel, std::size_t first_bin
 
 /// The coarse grid of the transfers, which covers the fine one.
 struct TransferGrid {
-    double from_hz;
+    double from_hz, step_hz;
     std::size_t lines;
 };
 
-TransferGrid transfer_grid(const FineGrid& grid, const ExpectationOptions& options) {
+/// Half-power width of the narrowest mode of the vehicle, Hz. Modes so heavy or masses so light that nothing feels them (a probe of
+/// the screening) do not count: a probe is held against the case without it, on the same grid.
+double narrowest_mode(const vehicle::VehicleParameters& vehicle) {
+    constexpr double kFelt = 1e-3;
+    double narrowest = 1e300;
+    for (const vehicle::BodyBendingMode& mode : vehicle.body_bending)
+        if (vehicle.body_mass_kg > kFelt * mode.modal_mass_kg) narrowest = std::min(narrowest, 2.0 * mode.damping_ratio * mode.frequency_hz);
+    for (const vehicle::WheelsetBendingMode& mode : vehicle.wheelset_bending)
+        if (vehicle.wheelset_mass_kg > kFelt * mode.modal_mass_kg) narrowest = std::min(narrowest, 2.0 * mode.damping_ratio * mode.frequency_hz);
+    for (const vehicle::BogieMountedMass& mass : vehicle.bogie_mounted_masses)
+        if (mass.mass_kg > kFelt * vehicle.bogie_mass_kg) narrowest = std::min(narrowest, 2.0 * mass.damping_ratio * mass.frequency_hz);
+    return narrowest;
+}
+
+TransferGrid transfer_grid(const pem::CaseParameters& parameters, const FineGrid& grid, const ExpectationOptions& options) {
+    constexpr double kPerWidth = 3.0, kFinest = 1.0 / 16.0;  // of the grid, halved until a mode has three lines in its width
+    const double width = narrowest_mode(parameters.vehicle);
+    double step = options.transfer_step_hz;
+    while (step > width / kPerWidth && step > kFinest * options.transfer_step_hz) step *= 0.5;
     const double from = std::max(options.transfer_step_hz, grid.frequency(0) - 2.0 * options.transfer_step_hz);
-    return {from, static_cast<std::size_t>((grid.frequency(grid.count) - from) / options.transfer_step_hz) + 4};
+    return {from, step, static_cast<std::size_t>((grid.frequency(grid.count) - from) / step) + 4};
 }
 
 /// The rail on that grid. What hangs on it or bends below it may be as narrow as the vehicle's modes; a rail on pads is not, and is
@@ -79,24 +97,25 @@ TransferGrid transfer_grid(const FineGrid& grid, const ExpectationOptions& optio
 std::vector<pem::RailGroup> channel_rails(const pem::CaseParameters& parameters, const pem::CoupledModel& model, const FineGrid& grid,
                                           const ExpectationOptions& options) {
     const bool narrow = !parameters.track.rail_dampers.empty() || !parameters.track.support.bending_modes.empty();
-    const TransferGrid own = transfer_grid(grid, options);
-    return pem::rail_groups(model, own.from_hz, options.transfer_step_hz, own.lines, narrow ? 1 : options.rail_every, options.threads);
+    const TransferGrid own = transfer_grid(parameters, grid, options);
+    const int every = static_cast<int>(std::lround(options.transfer_step_hz / own.step_hz)) * (narrow ? 1 : options.rail_every);
+    return pem::rail_groups(model, own.from_hz, own.step_hz, own.lines, every, options.threads);
 }
 
 /// The transfers from the four wheels to all channels on a coarse grid that covers the fine one, sensors included.
 pem::WheelTransfers channel_transfers(const pem::CaseParameters& parameters, const pem::CoupledModel& model,
                                       const std::vector<ObservedChannel>& channels, const FineGrid& grid,
                                       const ExpectationOptions& options, std::vector<pem::RailGroup>* rails) {
-    const auto [from, lines] = transfer_grid(grid, options);
+    const auto [from, step, lines] = transfer_grid(parameters, grid, options);
     std::vector<std::size_t> responses;
     for (const ObservedChannel& channel : channels) responses.push_back(channel.response);
     pem::WheelTransfers transfers =
-        pem::wheel_transfers(model, from, options.transfer_step_hz, lines, responses, options.threads, rails);
+        pem::wheel_transfers(model, from, step, lines, responses, options.threads, rails);
     for (std::size_t c = 0; c < channels.size(); ++c) {
         const bool plain = channels[c].integrations == 0 && parameters.sensors.empty();
         for (std::size_t line = 0; !plain && line < lines; ++line) {
             const Complex factor =
-                channel_factor(parameters, channels[c], from + static_cast<double>(line) * options.transfer_step_hz);
+                channel_factor(parameters, channels[c], from + static_cast<double>(line) * step);
             for (std::size_t j = 0; j < 4; ++j) transfers.values[(line * channels.size() + c) * 4 + j] *= factor;
         }
     }
@@ -233,7 +252,8 @@ ExpectedSpectra expected_spectra(const pem::CaseParameters& parameters, double s
         pem::CoupledModel model = pem::coupled_model(parameters, speed);
         if (pem::is_nonlinear(parameters)) pem::linearise(parameters, pem::excitation_sources(parameters, wheels, speed), model);
         std::vector<pem::RailGroup> rails;
-        if (reuse == Reuse::rail) rails = known->rails;
+        const bool same_grid = reuse == Reuse::rail && known->transfers.lines == transfer_grid(parameters, grid, options).lines;
+        if (same_grid) rails = known->rails;
         else rails = channel_rails(parameters, model, grid, options);
         own = channel_transfers(parameters, model, channels, grid, options, &rails);
         if (filled) *filled = {std::move(rails), own, pem::track_excitation(parameters, wheels, speed)};

@@ -18,6 +18,7 @@ constexpr double kLongestLogStep = 1.0;   ///< of noise and floor: far below wha
 constexpr int kSettleIterations = 3;      ///< of noise and floor alone, after every step
 constexpr double kWorthSettling = 2.0;    ///< nats promised by a step, after which noise and floor are settled
 constexpr double kHope = 3.0;             ///< times its promise, a fit may still climb
+constexpr int kChance = 6;                ///< steps that a fit may take before it can be given up
 constexpr double kHopeless = 30.0;        ///< nats that a fit must stay behind, hope included, to be given up
 
 struct State {
@@ -133,7 +134,7 @@ End climb(const Trial& base, const std::vector<Unknown>& unknowns, const Likelih
         while (damping < kMostDamping && !better) {
             const Eigen::VectorXd step = damped_step(normal, state, unknowns, damping);
             const double promise = 0.5 * step.dot(normal.gradient);
-            const bool hopeless = state.log_posterior + kHope * promise + kHopeless < options.rival;
+            const bool hopeless = i >= kChance && state.log_posterior + kHope * promise + kHopeless < options.rival;
             if (promise < options.least_gain || hopeless) {
                 if (last) *last = normal;
                 return hopeless ? End::hopeless : End::top;

@@ -10,6 +10,7 @@
 
 #include "diagnosis/predict_scalars.hpp"
 #include "diagnosis/scalar_likelihood.hpp"
+#include "diagnosis/whitened_bin.hpp"
 #include "diagnosis/whitened_columns.hpp"
 
 namespace railpem::diagnosis {
@@ -17,20 +18,9 @@ namespace railpem::diagnosis {
 namespace {
 
 using Complex = std::complex<double>;
-constexpr int kMostChannels = 16;
 constexpr std::size_t kChunkBins = 64;  ///< bins summed at a time, so that sums do not depend on the threads
-using Matrix = Eigen::Matrix<Complex, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, kMostChannels, kMostChannels>;
 
 int thread_count(const LikelihoodContext& context) { return context.threads > 0 ? context.threads : omp_get_max_threads(); }
-
-double floor_of(const Trial& trial, std::size_t response, double frequency, double least) {
-    const FloorPlace place = floor_place(frequency);
-    const double* node = &trial.floor[static_cast<std::size_t>(floor_group(response) * kFloorNodeCount + place.node)];
-    const double own = node[0] > 0.0 && node[1] > 0.0
-                           ? std::exp((1.0 - place.share) * std::log(node[0]) + place.share * std::log(node[1]))
-                           : (1.0 - place.share) * node[0] + place.share * node[1];
-    return own * own + least * least;
-}
 
 /// Bins of an observation that are summed together.
 struct Chunk {
@@ -43,35 +33,6 @@ std::vector<Chunk> chunks_of(const std::vector<Observation>& observations) {
         for (std::size_t first = 0; first < observations[o].bins(); first += kChunkBins)
             chunks.push_back({o, first, std::min(kChunkBins, observations[o].bins() - first)});
     return chunks;
-}
-
-/// One bin, whitened: inverse factor, residual and its share of the log-likelihood per average.
-struct WhitenedBin {
-    Matrix inverse_factor;
-    Matrix residual;
-    double log_likelihood = 0.0;
-};
-
-WhitenedBin whiten(const Trial& trial, const Observation& observation, std::size_t index,
-                   const ExpectedSpectra& prediction, const MeasuredSpectra& data, std::size_t bin, double least_floor) {
-    const long size = static_cast<long>(prediction.channels);
-    Matrix model = complete_prediction(trial, observation, index, prediction, bin, least_floor);
-    const Eigen::LLT<Matrix> factor(model);
-    WhitenedBin result;
-    if (factor.info() != Eigen::Success) {
-        result.log_likelihood = -std::numeric_limits<double>::infinity();
-        return result;
-    }
-    result.inverse_factor = Matrix::Identity(size, size);
-    factor.matrixL().solveInPlace(result.inverse_factor);
-    const Eigen::Map<const Eigen::MatrixXcd> estimate(&data.values[bin * prediction.channels * prediction.channels], size, size);
-    const Matrix half = result.inverse_factor * estimate;
-    result.residual = half * result.inverse_factor.adjoint();
-    double log_determinant = 0.0;
-    for (long i = 0; i < size; ++i) log_determinant -= 2.0 * std::log(result.inverse_factor(i, i).real());
-    result.log_likelihood = -(log_determinant - data.log_determinant[bin] + result.residual.trace().real() - static_cast<double>(size));
-    result.residual.diagonal().array() -= 1.0;
-    return result;
 }
 
 /// The unknowns that move a chunk, in the order of its columns, and how.
@@ -102,7 +63,7 @@ ChunkUnknowns unknowns_of(const Chunk& chunk, const std::vector<Unknown>& unknow
 
 /// Columns of the noise and of the floor: derivatives of powers on the diagonal.
 void add_diagonal_columns(const Trial& trial, const std::vector<Unknown>& unknowns, const ChunkUnknowns& own, const Observation& observation,
-                          std::size_t index, const ExpectedSpectra& prediction, std::size_t bin, WhitenedColumns& columns) {
+                          std::size_t index, const ExpectedSpectra& prediction, std::size_t bin, double amplification, WhitenedColumns& columns) {
     const FloorPlace place = floor_place(observation.frequency(bin));
     const std::size_t size = prediction.channels;
     const Complex* model = &prediction.values[bin * size * size];
@@ -117,7 +78,7 @@ void add_diagonal_columns(const Trial& trial, const std::vector<Unknown>& unknow
         for (std::size_t c = 0; c < size && share > 0.0; ++c) {
             const std::size_t response = observation.channels[c].response;
             if (floor_group(response) == group)
-                columns.add_diagonal(column, c, 2.0 * share * floor_of(trial, response, observation.frequency(bin), 0.0) * model[c * (size + 1)].real());
+                columns.add_diagonal(column, c, amplification * 2.0 * share * floor_of(trial, response, observation.frequency(bin), 0.0) * model[c * (size + 1)].real());
         }
         ++column;
     }
@@ -140,11 +101,11 @@ LikelihoodSlope chunk_slope(const Chunk& chunk, const Trial& trial, const std::v
         if (!std::isfinite(white.log_likelihood)) continue;
         for (std::size_t c = 0; c < size; ++c)  // the floor grows with the prediction
             diagonal[c] = 1.0 + floor_of(trial, observation.channels[c].response, observation.frequency(bin), context.least_floor);
-        columns.begin(white.inverse_factor.data());
+        columns.begin(white.inverse_factor.data(), white.amplification);
         for (std::size_t d = 0; d < own.derivatives.size(); ++d) columns.set(d, &own.derivatives[d]->values[bin * size * size], diagonal.data());
         columns.whiten();
-        add_diagonal_columns(trial, unknowns, own, observation, o, predictions[o], bin, columns);
-        columns.end(white.residual.data());
+        add_diagonal_columns(trial, unknowns, own, observation, o, predictions[o], bin, white.amplification, columns);
+        columns.end(white.residual.data(), white.scale.data(), white.projection);
     }
     const long count = static_cast<long>(own.size());
     Eigen::VectorXd gradient = Eigen::VectorXd::Zero(count);

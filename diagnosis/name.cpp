@@ -12,19 +12,31 @@ namespace railpem::diagnosis {
 namespace {
 
 constexpr double kLeastRelease = 3.0;           ///< nats to first order; what a wrong belief distorts is seen too small from there
-constexpr double kLeastShare = 0.04;  ///< of the best promise; what is weaker waits for the next round
+constexpr double kLeastShare = 0.04;  ///< of the best promise of its kind (sensor or structure); what is weaker waits for the next round
 
-/// What is worth a refit: the best starting point of a variant, few variants per effect.
-std::vector<Promise> worth_refitting(const std::vector<Promise>& promises, const std::vector<Candidate>& candidates, double least, int most) {
+/// One variant of an effect with the starting points that promise most.
+using Starts = std::vector<Promise>;
+
+/// What is worth a refit: few variants per effect, few starting points per variant.
+std::vector<Starts> worth_refitting(const std::vector<Promise>& promises, const std::vector<Candidate>& candidates, double least, int most) {
     constexpr int kVariantsPerEffect = 2;
-    std::map<std::string, int> of_effect, of_variant;
-    std::vector<Promise> chosen;
+    constexpr std::size_t kStartsPerVariant = 3;
+    std::map<std::string, int> of_effect;
+    std::map<std::string, std::size_t> of_variant;
+    std::map<bool, double> best_of_kind;
+    std::vector<Starts> chosen;
     for (const Promise& promise : promises) {
-        if (promise.gain < least || promise.gain < kLeastShare * promises.front().gain || static_cast<int>(chosen.size()) >= most) break;
+        if (promise.gain < least) break;
         const EffectInstance& instance = candidates[promise.candidate].instance;
-        if (of_variant[label_of(instance)]++ > 0) continue;
-        if (of_effect[instance.effect]++ >= kVariantsPerEffect) continue;
-        chosen.push_back(promise);
+        const double best = best_of_kind.try_emplace(element_of(*find_effect(instance.effect), instance) == Element::sensor, promise.gain).first->second;
+        if (promise.gain < kLeastShare * best) continue;
+        if (const auto known = of_variant.find(label_of(instance)); known != of_variant.end()) {
+            if (chosen[known->second].size() < kStartsPerVariant) chosen[known->second].push_back(promise);
+            continue;
+        }
+        if (static_cast<int>(chosen.size()) >= most || of_effect[instance.effect]++ >= kVariantsPerEffect) continue;
+        of_variant[label_of(instance)] = chosen.size();
+        chosen.push_back({promise});
     }
     return chosen;
 }
@@ -50,6 +62,8 @@ struct Interrupted {};
 
 constexpr double kBluntFloor = 0.1;
 constexpr int kBluntIterations = 2;
+constexpr int kFurtherBluntIterations = 6;  ///< of an effect's best start
+constexpr std::size_t kSharpened = 3;  ///< of the effects fitted from afar: those that the blunt likelihood prefers, until nothing is left
 
 /// Typical values, and every parameter in turn near either end of its range.
 std::vector<Candidate> starts_of(const Candidate& candidate) {
@@ -123,24 +137,38 @@ class Search {
         return most;
     }
 
+    /// Is a place of the structure evident? Sensors do not count: free at every frequency, one imitates what its channel shows most.
+    bool is_among(const std::vector<LocatedEvidence>& left, Element element) const {
+        constexpr double kEvident = 0.1;  ///< share of the most evident place's nats
+        double most = options_.residual / kEvident;
+        for (const LocatedEvidence& own : left)
+            if (own.place.element != Element::sensor) most = std::max(most, own.nats);
+        return std::any_of(left.begin(), left.end(), [&](const LocatedEvidence& own) { return own.place.element == element && own.nats > kEvident * most; });
+    }
+
     /// A strong effect distorts the retuned case so much that no first derivative finds it from there. Effects of the evident
     /// places are fitted as the retuned case was: from the believed numbers, at a typical strength, with a blunt likelihood first.
     void rescue_round() {
-        const std::vector<LocatedEvidence>& left = result_.left_by_best.empty() ? left_by_retuned_ : result_.left_by_best;
-        constexpr double kEvident = 0.1;  ///< share of the most evident place's nats
+        if (left_by_retuned_.empty()) left_by_retuned_ = locate(result_.retuned.fit, context_);
         const auto is_evident = [&](Element element) {
             if (element == Element::support) element = Element::pad;  // rigid ground has no correction of its own
-            return std::any_of(left.begin(), left.end(), [&](const LocatedEvidence& own) { return own.place.element == element && own.nats > kEvident * left.front().nats; });
+            return is_among(left_by_retuned_, element) || is_among(result_.left_by_best, element);
         };
         std::vector<std::string> done;
+        std::vector<FittedSet> blunt;
         for (const Candidate& candidate : result_.candidates) {
             const Effect& effect = *find_effect(candidate.instance.effect);
             const Element element = element_of(effect, candidate.instance);
-            if (element == Element::sensor || element == Element::irregularity || effect.id == "wheel-out-of-roundness" || effect.id == "failed-fasteners") continue;
+            if (element == Element::sensor || element == Element::irregularity || effect.id == "wheel-out-of-roundness" || effect.id == "failed-fasteners" || effect.id == "contact-nonlinearity") continue;
             const std::string label = label_of(candidate.instance);
             if (!is_evident(element) || std::find(done.begin(), done.end(), label) != done.end()) continue;
             done.push_back(label);
-            try_from_afar(candidate);
+            blunt.push_back(best_from_afar(candidate));
+        }
+        std::stable_sort(blunt.begin(), blunt.end(), [](const FittedSet& a, const FittedSet& b) { return a.fit.log_posterior > b.fit.log_posterior; });
+        for (std::size_t i = 0; i < std::min(kSharpened, blunt.size()); ++i) {
+            sharpen(blunt[i]);
+            if (left_over() < options_.residual) break;
         }
     }
 
@@ -149,8 +177,8 @@ class Search {
         if (options_.interrupted && options_.interrupted()) throw Interrupted{};
     }
 
-    /// Several starts with a likelihood that is blunt enough to be smooth; the best of them is then sharpened.
-    void try_from_afar(const Candidate& candidate) {
+    /// Several starts with a likelihood that is blunt enough to be smooth.
+    FittedSet best_from_afar(const Candidate& candidate) {
         const std::string label = label_of(candidate.instance) + " from afar";
         FitOptions blunt_options{.iterations = kBluntIterations, .from_far = false};
         blunt_options.between = [this, label] { say(label, 0.7); };
@@ -161,9 +189,16 @@ class Search {
             FittedSet set = fit_set(believed_, Fit{}, {start}, {}, {}, blunt, blunt_options);
             if (best.effects.empty() || set.fit.log_posterior > best.fit.log_posterior) best = std::move(set);
         }
+        blunt_options.iterations = kFurtherBluntIterations;
+        return fit_set(believed_, best.fit, best.effects, {}, {}, blunt, blunt_options);
+    }
+
+    /// From the blunt likelihood to the sharp one in small steps.
+    void sharpen(const FittedSet& blunt) {
+        const std::string label = label_of(blunt.effects.front().instance) + " from afar";
         FitOptions sharp_options{.iterations = 20, .stages = {0.1, 0.04, 0.015, 0.006, 0.0025}, .stage_iterations = 5};
-        sharp_options.between = blunt_options.between;
-        result_.sets.push_back(fit_set(believed_, best.fit, best.effects, {}, {}, context_, sharp_options));
+        sharp_options.between = [this, label] { say(label, 0.7); };
+        result_.sets.push_back(fit_set(believed_, blunt.fit, blunt.effects, {}, {}, context_, sharp_options));
     }
 
     void retune() {
@@ -189,36 +224,49 @@ class Search {
         return result_.sets.back();
     }
 
+    /// A start of a candidate beside others, and how probable it is as it stands.
+    struct Started {
+        Candidate candidate;
+        Fit near;
+        double log_posterior = -std::numeric_limits<double>::infinity();
+    };
+
     /// A candidate beside `members`, from where its promise leads: the step that was promised, or the part of it that holds.
-    const FittedSet& try_promise(const Fit& near, const Promise& promise, std::vector<Candidate> members, std::vector<std::string> released, double share) {
+    Started started(const Fit& near, const Promise& promise, const std::vector<Candidate>& members, const std::vector<std::string>& released) const {
         constexpr double kParts[] = {1.0, 0.3, 0.1, 0.03, 0.01, 0.003, 0.0};
         const Candidate& candidate = result_.candidates[promise.candidate];
-        Candidate best;
-        Fit best_near{.trial = near.trial, .unknowns = near.unknowns, .values = near.values};
-        double highest = -std::numeric_limits<double>::infinity();
+        Started best;
         for (const double part : kParts) {
-            if (part == 0.0 && std::isfinite(highest)) break;  // the mild strength is for what cannot be reached from nothing
-            const Candidate started = part == 0.0 ? candidate : started_at(candidate, part * promise.strength);
-            Fit moved{.trial = near.trial, .unknowns = near.unknowns, .values = near.values};
-            for (std::size_t u = 0; u < moved.values.size(); ++u)
-                moved.values[u] = std::clamp(near.values[u] + part * promise.strength * promise.move(static_cast<long>(u)), near.unknowns[u].low, near.unknowns[u].high);
+            if (part == 0.0 && std::isfinite(best.log_posterior)) break;  // the mild strength is for what cannot be reached from nothing
+            Started own{.candidate = part == 0.0 ? candidate : started_at(candidate, part * promise.strength),
+                        .near = {.trial = near.trial, .unknowns = near.unknowns, .values = near.values}};
+            for (std::size_t u = 0; u < own.near.values.size(); ++u)
+                own.near.values[u] = std::clamp(near.values[u] + part * promise.strength * promise.move(static_cast<long>(u)), near.unknowns[u].low, near.unknowns[u].high);
             std::vector<Candidate> with = members;
-            with.push_back(started);
-            const Supposition supposition = suppose(believed_, moved, with, released, {}, context_);
-            const double posterior = log_posterior_at(supposition.trial, supposition.unknowns, supposition.start, context_);
-            if (posterior > highest || part == 0.0) highest = posterior, best = started, best_near = std::move(moved);
-            if (highest > near.log_posterior) break;
+            with.push_back(own.candidate);
+            const Supposition supposition = suppose(believed_, own.near, with, released, {}, context_);
+            own.log_posterior = log_posterior_at(supposition.trial, supposition.unknowns, supposition.start, context_);
+            if (own.log_posterior > best.log_posterior || part == 0.0) best = std::move(own);
+            if (best.log_posterior > near.log_posterior) break;
         }
-        members.push_back(best);
-        return try_set(best_near, std::move(members), std::move(released), share);
+        return best;
+    }
+
+    /// Fits the best start of a variant.
+    const FittedSet& try_starts(const Fit& near, const Starts& starts, std::vector<Candidate> members, std::vector<std::string> released, double share) {
+        Started best = started(near, starts.front(), members, released);
+        for (std::size_t i = 1; i < starts.size(); ++i)
+            if (Started other = started(near, starts[i], members, released); other.log_posterior > best.log_posterior) best = std::move(other);
+        members.push_back(best.candidate);
+        return try_set(best.near, std::move(members), std::move(released), share);
     }
 
     void first_round() {
-        const std::vector<Promise> chosen = worth_refitting(result_.first_promises, result_.candidates, options_.least_promise, options_.refits);
+        const std::vector<Starts> chosen = worth_refitting(result_.first_promises, result_.candidates, options_.least_promise, options_.refits);
         const std::vector<std::string> keys = worth_releasing(result_.retuned.fit, {}, kLeastRelease, 2);
         const double step = 0.4 / static_cast<double>(chosen.size() + keys.size() + 1);
         double share = 0.25;
-        for (const Promise& promise : chosen) try_promise(result_.retuned.fit, promise, {}, {}, share += step);
+        for (const Starts& starts : chosen) try_starts(result_.retuned.fit, starts, {}, {}, share += step);
         for (const std::string& key : keys) try_set(result_.retuned.fit, {}, {key}, share += step);
     }
 
@@ -237,17 +285,17 @@ class Search {
         const FittedSet from = *base;
         const double share = 0.65 + 0.1 * (members - 2);
         const std::vector<Promise> promises = screen(from.fit, result_.candidates, context_);
-        std::vector<Promise> chosen = worth_refitting(promises, result_.candidates, options_.least_promise, options_.later_refits + 2);
-        const auto is_member = [&](const Promise& promise) {
+        std::vector<Starts> chosen = worth_refitting(promises, result_.candidates, options_.least_promise, options_.later_refits + 2);
+        const auto is_member = [&](const Starts& starts) {
             return std::any_of(from.effects.begin(), from.effects.end(),
-                               [&](const Candidate& own) { return same_variant(own.instance, result_.candidates[promise.candidate].instance); });
+                               [&](const Candidate& own) { return same_variant(own.instance, result_.candidates[starts.front().candidate].instance); });
         };
         std::erase_if(chosen, is_member);
         if (static_cast<int>(chosen.size()) > options_.later_refits) chosen.erase(chosen.begin() + options_.later_refits, chosen.end());
         Candidate winner;
         double highest = -1e300;
-        for (const Promise& promise : chosen) {
-            const FittedSet& tried = try_promise(from.fit, promise, from.effects, from.released, share);
+        for (const Starts& starts : chosen) {
+            const FittedSet& tried = try_starts(from.fit, starts, from.effects, from.released, share);
             if (tried.score() > highest) highest = tried.score(), winner = tried.effects.back();
         }
         for (const std::string& key : worth_releasing(from.fit, from.released, kLeastRelease, 1)) {

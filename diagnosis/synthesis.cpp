@@ -45,13 +45,34 @@ class ComplexNormal {
     std::mt19937_64 random_;
 };
 
-/// Draws all bins of a part about the lower Cholesky factors of their expectations.
-void draw(const std::vector<Eigen::MatrixXcd>& factors, ComplexNormal& normal, MeasuredSpectra& part) {
-    const long freedom = std::max(1L, std::lround(part.averages)), size = factors.front().rows();
+/// The expectation of a bin, taken apart.
+struct BinExpectation {
+    Eigen::MatrixXcd excited;
+    Eigen::VectorXd noise;
+};
+
+/// Cholesky factor of the bin with its power drawn: r eigenvalues above the noise are not r independent samples of one irregularity
+/// (whitened_bin.hpp).
+Eigen::MatrixXcd factor_of(const BinExpectation& bin, double averages, double standard_normal) {
+    Eigen::MatrixXcd model = bin.excited;
+    model.diagonal() += bin.noise.cast<std::complex<double>>();
+    const Eigen::LLT<Eigen::MatrixXcd> factor(model);
+    Eigen::MatrixXcd scale = factor.matrixL().solve(bin.excited);
+    scale = factor.matrixL().solve(scale.adjoint().eval());
+    const double processes = scale.squaredNorm(), variance = processes > 1.0 ? (processes - 1.0) / (processes * averages) : 0.0;
+    model = std::exp(std::sqrt(variance) * standard_normal) * bin.excited;
+    model.diagonal() += bin.noise.cast<std::complex<double>>();
+    return model.llt().matrixL();
+}
+
+/// Draws all bins of a part about their expectations.
+void draw(const std::vector<BinExpectation>& expectations, ComplexNormal& normal, MeasuredSpectra& part) {
+    const long freedom = std::max(1L, std::lround(part.averages)), size = expectations.front().excited.rows();
     part.averages = static_cast<double>(freedom);
     part.values.clear();
     Eigen::MatrixXcd white(size, freedom);
-    for (const Eigen::MatrixXcd& factor : factors) {
+    for (const BinExpectation& expectation : expectations) {
+        const Eigen::MatrixXcd factor = factor_of(expectation, part.averages, std::numbers::sqrt2 * normal().real());
         for (long i = 0; i < white.size(); ++i) white.data()[i] = normal();
         const Eigen::MatrixXcd vectors = factor.triangularView<Eigen::Lower>() * white;
         const Eigen::MatrixXcd matrix = vectors * vectors.adjoint() / static_cast<double>(freedom);
@@ -95,13 +116,16 @@ Observation synthesise(const Observation& shape, std::size_t index, const Trial&
                                                       shape.channels, {}, shape.expectation);
     Trial sound = truth;
     std::fill(sound.floor.begin(), sound.floor.end(), 0.0);
-    std::vector<Eigen::MatrixXcd> factors;
-    for (std::size_t bin = 0; bin < expected.bins(); ++bin)
-        factors.push_back(complete_prediction(sound, shape, index, expected, bin).llt().matrixL());
+    const Eigen::VectorXd noise = Eigen::Map<const Eigen::VectorXd>(truth.noise_psd[index].data(), static_cast<long>(truth.noise_psd[index].size()));
+    std::vector<BinExpectation> expectations;
+    for (std::size_t bin = 0; bin < expected.bins(); ++bin) {
+        expectations.push_back({complete_prediction(sound, shape, index, expected, bin), noise});
+        expectations.back().excited.diagonal() -= noise.cast<std::complex<double>>();
+    }
     Observation drawn = shape;
     ComplexNormal normal({static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32), static_cast<std::uint32_t>(index)});
-    draw(factors, normal, drawn.fitted);
-    draw(factors, normal, drawn.held_out);
+    draw(expectations, normal, drawn.fitted);
+    draw(expectations, normal, drawn.held_out);
     drawn.all = mean_of(drawn.fitted, drawn.held_out, shape.channels.size());
     return drawn;
 }

@@ -18,7 +18,7 @@ Observation observation_shape(double speed_m_per_s, double payload_kg, double se
 
 /// The observation `shape`, the `index`-th of the truth's, with cross-spectra drawn as if `truth` were true: in every bin
 /// complex Wishart about complete_prediction() without floor, with round(averages) degrees of freedom, bins independent
-/// (averages is the number that makes them count so). The parts fitted and held_out are independent; all is their mean,
+/// (averages is the number that makes them count so), the power of the excitation in every bin drawn first (whitened_bin.hpp). The parts fitted and held_out are independent; all is their mean,
 /// weighted with their averages. The same seed gives the same draw. (Goodman 1963, Ann. Math. Statist. 34.)
 Observation synthesise(const Observation& shape, std::size_t index, const Trial& truth, const BelievedCase& believed, std::uint64_t seed);
 

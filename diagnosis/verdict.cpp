@@ -30,6 +30,32 @@ bool contains(const FittedSet& larger, const FittedSet& smaller) {
     return std::all_of(smaller.effects.begin(), smaller.effects.end(), has) && std::all_of(smaller.released.begin(), smaller.released.end(), released);
 }
 
+/// A smaller set says what a larger one says, unless the larger one gains and what no fit has seen agrees.
+bool says_as_much(const FittedSet& smaller, const FittedSet& larger, const VerdictThresholds& thresholds) {
+    return smaller.members() < larger.members() && contains(larger, smaller) &&
+           (larger.score() < smaller.score() + thresholds.least_gain || larger.held_out < smaller.held_out);
+}
+
+bool needs_less(const NamingResult& naming, const FittedSet& set, const VerdictThresholds& thresholds) {
+    return std::any_of(naming.sets.begin(), naming.sets.end(), [&](const FittedSet& own) { return says_as_much(own, set, thresholds); });
+}
+
+/// The best set without the members that it does not need.
+const FittedSet* simplest_of_the_best(const NamingResult& naming, const VerdictThresholds& thresholds) {
+    if (naming.sets.empty()) return nullptr;
+    const FittedSet* best = &naming.sets.front();
+    for (bool smaller = true; smaller;) {
+        smaller = false;
+        for (const FittedSet& set : naming.sets)
+            if (says_as_much(set, *best, thresholds)) {
+                best = &set;
+                smaller = true;
+                break;
+            }
+    }
+    return best;
+}
+
 bool only_sensors(const FittedSet& set) {
     const auto elements = elements_of(set, nullptr);
     return set.released.empty() && !elements.empty() && std::all_of(elements.begin(), elements.end(), [](Element element) { return element == Element::sensor; });
@@ -55,12 +81,13 @@ Decision decide(const NamingResult& naming, const PlaceStudy& places, const Verd
     Decision decision;
     for (const FittedSet& set : places.anonymous) decision.unknown_score = std::max(decision.unknown_score, set.score());
     const double nothing = naming.retuned.score();
-    const FittedSet* best = naming.sets.empty() ? nullptr : &naming.sets.front();
+    const FittedSet* best = simplest_of_the_best(naming, thresholds);
     const bool gains = best && best->score() > nothing + thresholds.least_gain && best->held_out > naming.retuned.held_out;
     if (gains) {
         decision.named = best;
         for (const FittedSet& set : naming.sets)
-            if (&set == best || (set.score() > best->score() - thresholds.credible && !contains(set, *best))) decision.credible.push_back(&set);
+            if (&set == best || (set.score() > best->score() - thresholds.credible && !contains(set, *best) && !needs_less(naming, set, thresholds)))
+                decision.credible.push_back(&set);
     }
     const double residual_named = places.at_named.empty() ? 0.0 : places.at_named.front().nats;
     const double residual_retuned = places.at_retuned.empty() ? 0.0 : places.at_retuned.front().nats;

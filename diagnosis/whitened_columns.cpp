@@ -22,11 +22,12 @@ void add_product(double a, double b, const double* x, const double* y, std::size
 WhitenedColumns::WhitenedColumns(std::size_t channels, std::size_t unknowns, std::size_t dense)
     : channels_(channels), unknowns_(unknowns), stride_((unknowns + 3) / 4 * 4), dense_((dense + 3) / 4 * 4), inverse_re_(channels * channels), inverse_im_(channels * channels),
       re_(channels * channels * dense_), im_(re_.size()), half_re_(re_.size()), half_im_(re_.size()),
-      rows_(static_cast<long>(kBins * channels * channels), static_cast<long>(stride_)), residual_(static_cast<long>(kBins * channels * channels)),
+      rows_(static_cast<long>(kBins * channels * channels), static_cast<long>(stride_)), residual_(static_cast<long>(kBins * channels * channels)), scale_(static_cast<long>(channels * channels)),
       gradient_(Eigen::VectorXd::Zero(static_cast<long>(stride_))),
       information_(Eigen::MatrixXd::Zero(static_cast<long>(stride_), static_cast<long>(stride_))) {}
 
-void WhitenedColumns::begin(const std::complex<double>* inverse_factor) {
+void WhitenedColumns::begin(const std::complex<double>* inverse_factor, double amplification) {
+    amplification_ = amplification;
     for (std::size_t i = 0; i < channels_; ++i)
         for (std::size_t j = 0; j <= i; ++j) {
             inverse_re_[i * channels_ + j] = inverse_factor[j * channels_ + i].real();
@@ -38,10 +39,10 @@ void WhitenedColumns::begin(const std::complex<double>* inverse_factor) {
 
 void WhitenedColumns::set(std::size_t unknown, const std::complex<double>* derivative, const double* diagonal) {
     for (std::size_t j = 0; j < channels_; ++j) {
-        at(re_, j, j)[unknown] = derivative[j * channels_ + j].real() * diagonal[j];
+        at(re_, j, j)[unknown] = amplification_ * derivative[j * channels_ + j].real() * diagonal[j];
         for (std::size_t i = j + 1; i < channels_; ++i) {
-            at(re_, i, j)[unknown] = derivative[j * channels_ + i].real();
-            at(im_, i, j)[unknown] = derivative[j * channels_ + i].imag();
+            at(re_, i, j)[unknown] = amplification_ * derivative[j * channels_ + i].real();
+            at(im_, i, j)[unknown] = amplification_ * derivative[j * channels_ + i].imag();
         }
     }
 }
@@ -98,14 +99,23 @@ void WhitenedColumns::add_diagonal(std::size_t unknown, std::size_t channel, dou
         }
 }
 
-void WhitenedColumns::end(const std::complex<double>* residual) {
-    long row = static_cast<long>(bins_ * channels_ * channels_);
+void WhitenedColumns::pack(const std::complex<double>* hermitian, double* packed) const {
     for (std::size_t j = 0; j < channels_; ++j)
         for (std::size_t i = j; i < channels_; ++i) {
-            const std::complex<double> own = residual[j * channels_ + i];
-            residual_(row++) = i == j ? own.real() : std::numbers::sqrt2 * own.real();
-            if (i != j) residual_(row++) = std::numbers::sqrt2 * own.imag();
+            const std::complex<double> own = hermitian[j * channels_ + i];
+            *packed++ = i == j ? own.real() : std::numbers::sqrt2 * own.real();
+            if (i != j) *packed++ = std::numbers::sqrt2 * own.imag();
         }
+}
+
+void WhitenedColumns::end(const std::complex<double>* residual, const std::complex<double>* scale, double projection) {
+    const long size = static_cast<long>(channels_ * channels_), first = static_cast<long>(bins_) * size;
+    pack(residual, residual_.data() + first);
+    if (projection > 0.0) {
+        pack(scale, scale_.data());
+        explained_.noalias() = rows_.middleRows(first, size).transpose() * scale_;
+        information_.selfadjointView<Eigen::Lower>().rankUpdate(explained_, -projection);
+    }
     if (++bins_ == kBins) flush();
 }
 

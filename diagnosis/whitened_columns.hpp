@@ -16,16 +16,17 @@ class WhitenedColumns {
     /// add_diagonal().
     WhitenedColumns(std::size_t channels, std::size_t unknowns, std::size_t dense);
 
-    /// Begins a bin; `inverse_factor` is L⁻¹, lower triangular, column-major.
-    void begin(const std::complex<double>* inverse_factor);
+    /// Begins a bin; `inverse_factor` is L⁻¹, lower triangular, column-major. What is set() is multiplied by `amplification`.
+    void begin(const std::complex<double>* inverse_factor, double amplification = 1.0);
     /// The derivative of an unknown: Hermitian, column-major, its diagonal multiplied by `diagonal`.
     void set(std::size_t unknown, const std::complex<double>* derivative, const double* diagonal);
     /// Whitens everything that was set; the other unknowns have no derivative at this bin.
     void whiten();
     /// Adds power·L⁻¹ e_c e_cᴴ L⁻ᴴ to an unknown's whitened derivative: the derivative of a power on a channel's diagonal. After whiten().
     void add_diagonal(std::size_t unknown, std::size_t channel, double power);
-    /// Ends a bin with its whitened residual, Hermitian, column-major.
-    void end(const std::complex<double>* residual);
+    /// Ends a bin with its whitened residual, Hermitian, column-major. The information becomes Mᵀ(1 − projection·aaᵀ)M, a the packed
+    /// `scale` (whitened_bin.hpp); the gradient stays.
+    void end(const std::complex<double>* residual, const std::complex<double>* scale, double projection);
 
     /// Σ over the bins so far, times `weight`, added to `gradient` and the lower triangle of `information`; begins anew.
     void accumulate(double weight, Eigen::VectorXd& gradient, Eigen::MatrixXd& information);
@@ -33,6 +34,7 @@ class WhitenedColumns {
   private:
     static constexpr std::size_t kBins = 4;  ///< of a block that stays in the cache
     using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+    void pack(const std::complex<double>* hermitian, double* packed) const;
     double* at(std::vector<double>& values, std::size_t i, std::size_t j) { return &values[(i * channels_ + j) * dense_]; }
     void flush();
 
@@ -40,7 +42,9 @@ class WhitenedColumns {
     std::vector<double> inverse_re_, inverse_im_;            ///< [row][column]
     std::vector<double> re_, im_, half_re_, half_im_;        ///< [row][column][unknown], lower triangle
     Rows rows_;                                              ///< of the block's bins
-    Eigen::VectorXd residual_;
+    Eigen::VectorXd residual_, scale_;
+    double amplification_ = 1.0;
+    Eigen::VectorXd explained_;                              ///< √projection·Mᵀa of a bin
     std::size_t bins_ = 0;                                   ///< in the block
     Eigen::VectorXd gradient_;
     Eigen::MatrixXd information_;

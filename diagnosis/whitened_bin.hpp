@@ -1,0 +1,38 @@
+#pragma once
+// One bin of an observation seen through a trial.
+
+#include <Eigen/Core>
+#include <complex>
+
+#include "diagnosis/likelihood.hpp"
+
+namespace railpem::diagnosis {
+
+inline constexpr int kMostChannels = 16;
+/// Small enough to need no heap.
+using BinMatrix = Eigen::Matrix<std::complex<double>, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, kMostChannels, kMostChannels>;
+
+/// A bin, whitened with the trial's S(s) = e^s·(prediction + floor) + noise.
+///
+/// The irregularity that excites a bin is one process, whose power averages over n windows know to 1/√n. Channels behind
+/// different wheels hear it at different times, so that within a window S has r > 1 eigenvalues above the noise; to the Wishart
+/// distribution they are r processes, whose power it would know to 1/√(r·n). The excess is shared with the neighbouring bins, which
+/// count it again. The logarithm s of the bin's power is therefore unknown by the variance v = (r − 1)/(r·n) that leaves n:
+/// 1/(1/(r·n) + v) = n. s is at its most probable value; `projection` takes what it explains out of the information.
+struct WhitenedBin {
+    BinMatrix inverse_factor;    ///< L⁻¹ of S(s) = LLᴴ
+    BinMatrix residual;          ///< L⁻¹ŜL⁻ᴴ − 1
+    BinMatrix scale;             ///< L⁻¹ ∂S/∂s L⁻ᴴ
+    double amplification = 1.0;  ///< e^s
+    double projection = 0.0;     ///< c in 1 − c·aaᵀ, a the packed `scale`: (r − 1)/r², r = tr(scale²); 0 without excess
+    double log_likelihood = 0.0; ///< per average, relative to the saturated model, −s²/(2vn) included; −∞ where S is not definite
+};
+
+/// `averages`: of the data in this bin.
+WhitenedBin whiten(const Trial& trial, const Observation& observation, std::size_t index, const ExpectedSpectra& prediction,
+                   const MeasuredSpectra& data, std::size_t bin, double least_floor);
+
+/// Square of the floor's relative amplitude for a response, `least` added.
+double floor_of(const Trial& trial, std::size_t response, double frequency_hz, double least);
+
+}  // namespace railpem::diagnosis
