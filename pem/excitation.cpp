@@ -1,5 +1,6 @@
 #include "pem/excitation.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -87,15 +88,21 @@ struct LinePower {
 }  // namespace
 
 Source line_source(std::string name, std::vector<SpectralLine> lines, double speed_fluctuation) {
-    const auto amplitude = [lines = std::vector<LinePower>(lines.begin(), lines.end()), speed_fluctuation](const LineGroup& group) {
+    std::vector<LinePower> powers(lines.begin(), lines.end());
+    std::stable_sort(powers.begin(), powers.end(), [](const LinePower& a, const LinePower& b) { return a.frequency_hz < b.frequency_hz; });
+    const auto amplitude = [lines = std::move(powers), speed_fluctuation](const LineGroup& group) {
         WheelVector e;
         for (int lane = 0; lane < lanes::width; ++lane) {
             const double f = group.omega[lane] / kTwoPi;
             std::array<double, 4> power{};
             double strongest = 0.0;
             const LinePower* leading = nullptr;
-            for (const LinePower& line : lines) {
-                if (std::abs(f - line.frequency_hz) > kFarthest * speed_fluctuation * line.frequency_hz + group.step_hz) continue;
+            const auto reach = [&](const LinePower& line) { return kFarthest * speed_fluctuation * line.frequency_hz + group.step_hz; };
+            const auto first = std::partition_point(lines.begin(), lines.end(), [&](const LinePower& line) { return line.frequency_hz + reach(line) < f; });
+            for (auto next = first; next != lines.end(); ++next) {
+                const LinePower& line = *next;
+                // Lines so wide that they reach down to zero never end this.
+                if (line.frequency_hz - reach(line) > f) break;
                 const double share = spectra::line_power_in_bin(f - 0.5 * group.step_hz, f + 0.5 * group.step_hz, line.frequency_hz, 1.0,
                                                                 speed_fluctuation * line.frequency_hz) / group.step_hz;
                 for (std::size_t j = 0; j < 4; ++j) power[j] += share * line.power[j];

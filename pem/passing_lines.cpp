@@ -1,9 +1,11 @@
 #include "pem/passing_lines.hpp"
 
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <optional>
 
 #include "pem/passing_positions.hpp"
 
@@ -23,30 +25,69 @@ int failure_period(const CaseParameters& parameters) {
     return failed.empty() ? 0 : failed.front().every;
 }
 
-/// The train at every sampled place of a period, the bays of a phase one after the other.
-PassingPositions sampled_positions(const CaseParameters& parameters, const std::vector<double>& wheels_m, int period) {
-    std::vector<double> bay_shares;
-    for (int k = 0; k < kPositionsPerBay; ++k) bay_shares.push_back(static_cast<double>(k) / kPositionsPerBay);
+/// k + k' modulo the samples of a period, where the train at sample k' is the mirror image of the train at sample k: seats and equal loads
+/// know no direction, and regular failures are symmetric about each of them. Nothing where the wheels are not symmetric or their images
+/// fall between the samples.
+std::optional<int> mirrored_sum(const CaseParameters& parameters, const std::vector<double>& wheels_m) {
+    for (std::size_t i = 0; i < wheels_m.size(); ++i)
+        if (std::abs(wheels_m[i] + wheels_m[wheels_m.size() - 1 - i] - wheels_m.front() - wheels_m.back()) > 1e-9) return std::nullopt;
+    // Wheel 1 stands at X = k/12 − first_seat bays from a failed seat, its image, the last wheel, at D − X.
+    const double samples = (wheels_m.front() - wheels_m.back()) / parameters.track.spacing_m * kPositionsPerBay;
+    if (std::abs(samples - std::round(samples)) > 1e-9) return std::nullopt;
     const auto& failed = parameters.track.failed_fasteners;
-    std::vector<int> first_seats;
+    return static_cast<int>(std::round(samples)) + 2 * kPositionsPerBay * (failed.empty() ? 0 : failed.front().first_seat);
+}
+
+int modulo(int a, int n) { return (a % n + n) % n; }
+
+/// The train at every sampled place of a period; places that are mirror images of others are not computed.
+struct Samples {
+    struct Sample {
+        std::size_t place = 0;  ///< in `positions`
+        bool mirrored = false;  ///< then wheel i there is the i-th from behind here
+    };
+    PassingPositions positions;
+    std::vector<Sample> sample;
+};
+
+Samples sampled_positions(const CaseParameters& parameters, const std::vector<double>& wheels_m, int period) {
+    const std::optional<int> sum = mirrored_sum(parameters, wheels_m);
+    std::vector<double> bay_shares;
+    std::array<std::size_t, kPositionsPerBay> phase{};
+    std::array<bool, kPositionsPerBay> computed{};
+    for (int k = 0; k < kPositionsPerBay; ++k) {
+        const std::size_t own = static_cast<std::size_t>(k);
+        computed[own] = !sum || modulo(*sum - k, kPositionsPerBay) >= k;
+        if (!computed[own]) continue;
+        phase[own] = bay_shares.size();
+        bay_shares.push_back(static_cast<double>(k) / kPositionsPerBay);
+    }
+    const auto& failed = parameters.track.failed_fasteners;
+    std::vector<int> first_seats;  // the bays of a phase one after the other
     for (int bay = 0; bay < period; ++bay) first_seats.push_back((failed.empty() ? 0 : failed.front().first_seat) - bay);
-    return {parameters, wheels_m, bay_shares, first_seats};
+    Samples samples{{parameters, wheels_m, bay_shares, first_seats}, {}};
+    for (int k = 0; k < kPositionsPerBay * period; ++k) {
+        const bool mirrored = !computed[static_cast<std::size_t>(k % kPositionsPerBay)];
+        const int source = mirrored ? modulo(*sum - k, kPositionsPerBay * period) : k;
+        samples.sample.push_back({samples.positions.place(phase[static_cast<std::size_t>(source % kPositionsPerBay)], static_cast<std::size_t>(source / kPositionsPerBay)), mirrored});
+    }
+    return samples;
 }
 
 /// Fourier coefficient m of −P0·ΣC over a period of n bays, for each order of a lane group, at each order's own
 /// frequency.
-std::array<std::array<Complex, 4>, lanes::width> coefficients(const CaseParameters& parameters, const PassingPositions& positions,
+std::array<std::array<Complex, 4>, lanes::width> coefficients(const CaseParameters& parameters, const Samples& train,
                                                               const std::array<int, lanes::width>& orders, int period,
                                                               double speed) {
     lanes::Real omega{};
     for (int lane = 0; lane < lanes::width; ++lane)
         omega[lane] = kTwoPi * orders[lane] * speed / (period * parameters.track.spacing_m);
     const int samples = kPositionsPerBay * period;
-    assert(positions.places() == static_cast<std::size_t>(samples));
+    assert(train.sample.size() == static_cast<std::size_t>(samples));
     const double share = wheel_load_n(parameters) / samples;
     std::vector<Complex> roots;  // of unity: e^{−2πi·k/samples}
     for (int k = 0; k < samples; ++k) roots.push_back(std::polar(1.0, -kTwoPi * k / samples));
-    const std::vector<lanes::Complex> deflection = positions.deflection(omega);
+    const std::vector<lanes::Complex> deflection = train.positions.deflection(omega);
     std::array<lanes::Complex, 4> sum{};
     for (int k = 0; k < samples; ++k) {
         lanes::Real re{}, im{};
@@ -55,8 +96,8 @@ std::array<std::array<Complex, 4>, lanes::width> coefficients(const CaseParamete
             re[lane] = root.real();
             im[lane] = root.imag();
         }
-        const std::size_t place = positions.place(static_cast<std::size_t>(k % kPositionsPerBay), static_cast<std::size_t>(k / kPositionsPerBay));
-        for (std::size_t wheel = 0; wheel < 4; ++wheel) sum[wheel] += deflection[4 * place + wheel] * lanes::Complex(re, im);
+        const auto& [place, mirrored] = train.sample[static_cast<std::size_t>(k)];
+        for (std::size_t wheel = 0; wheel < 4; ++wheel) sum[wheel] += deflection[4 * place + (mirrored ? 3 - wheel : wheel)] * lanes::Complex(re, im);
     }
     std::array<std::array<Complex, 4>, lanes::width> result{};
     for (int lane = 0; lane < lanes::width; ++lane)
@@ -74,12 +115,12 @@ std::vector<SpectralLine> passing_lines(const CaseParameters& parameters, const 
     const double spacing = parameters.track.spacing_m;
     const int highest =
         std::min(kOrdersPerBay * period, static_cast<int>(parameters.frequency.to_hz * period * spacing / speed));
-    const PassingPositions positions = sampled_positions(parameters, wheels_m, period);
+    const Samples train = sampled_positions(parameters, wheels_m, period);
     std::vector<SpectralLine> lines;
     for (int first = 1; first <= highest; first += lanes::width) {
         std::array<int, lanes::width> orders;
         for (int lane = 0; lane < lanes::width; ++lane) orders[lane] = std::min(first + lane, highest);
-        const auto amplitudes = coefficients(parameters, positions, orders, period, speed);
+        const auto amplitudes = coefficients(parameters, train, orders, period, speed);
         for (int lane = 0; lane < lanes::width && first + lane <= highest; ++lane) {
             // Orders of the whole bay are the sleepers'; the others exist only because fasteners have failed.
             const double scale = 2.0 * (orders[lane] % period == 0 ? factor : 1.0);
@@ -108,12 +149,11 @@ std::function<double(double)> failed_fastener_spectrum(const CaseParameters& par
     const PassingPositions failing(one, wheels_m, bay_shares, first_seats), sound(intact, wheels_m, bay_shares, {0});
     const std::vector<lanes::Complex> with = failing.deflection(quasi_static), without = sound.deflection(quasi_static);
 
-    std::vector<double> position, pulse;
+    std::vector<double> pulse;  // from far behind to far ahead
     for (int k = 0; k <= 2 * kPulseReach * kFine; ++k) {
         const std::size_t quarter = static_cast<std::size_t>(k % kFine), bay = static_cast<std::size_t>(k / kFine);
         const std::size_t wheels = wheels_m.size();
         const double change = with[failing.place(quarter, bay) * wheels].re[0] - without[sound.place(quarter, 0) * wheels].re[0];
-        position.push_back((static_cast<double>(k) / kFine - kPulseReach) * spacing);
         pulse.push_back(-wheel_load_n(parameters) * change);
     }
     return [=](double frequency) {
@@ -121,10 +161,15 @@ std::function<double(double)> failed_fastener_spectrum(const CaseParameters& par
         // The rail's bending leaves nothing of the pulse above the samples' Nyquist wavenumber (it falls with its
         // fourth power); the sum over samples would repeat the long waves there.
         if (wavenumber * spacing / kFine > std::numbers::pi) return 0.0;
-        Complex transform = 0.0;
-        for (std::size_t i = 0; i < pulse.size(); ++i)
-            transform += pulse[i] * std::polar(spacing / kFine, -wavenumber * position[i]);
-        return 2.0 * share * (1.0 - share) / spacing * std::norm(transform) / speed;
+        const double step = spacing / kFine;  // where the pulse begins turns the phase of its transform only
+        const double re = std::cos(wavenumber * step), im = -std::sin(wavenumber * step);
+        double sum_re = 0.0, sum_im = 0.0;
+        for (std::size_t i = pulse.size(); i-- > 0;) {
+            const double turned = sum_re * re - sum_im * im + pulse[i];
+            sum_im = sum_re * im + sum_im * re;
+            sum_re = turned;
+        }
+        return 2.0 * share * (1.0 - share) / spacing * (sum_re * sum_re + sum_im * sum_im) * step * step / speed;
     };
 }
 

@@ -2,24 +2,74 @@
 
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "track/equilibria_abreast.hpp"
 #include "track/exact_rail.hpp"
 #include "track/modal_rail.hpp"
+#include "track/scattered_rail.hpp"
 #include "track/seat_stiffness.hpp"
 
 namespace railpem::pem {
 
 namespace {
 
+/// One position of the wheels: the rail, and where its seats differ the same as what they scatter, which is cheaper.
+struct PreparedRail {
+    track::ExactRail exact;
+    std::optional<track::ScatteredRail> scattered;
+};
+
+/// Receptances of one position of the wheels after the other, and their mean. The uniform track is the same for all of them.
 class ExactEvaluator : public RailEvaluator {
   public:
-    explicit ExactEvaluator(const track::ExactRail& rail) : rail_(rail), workspace_(rail) {}
-    const track::RailReceptance& at(lanes::Real omega) override { return track::rail_receptance(rail_, omega, workspace_); }
+    explicit ExactEvaluator(const std::vector<PreparedRail>& rails) : rails_(rails), elimination_(rails.size()) {
+        const std::size_t points = static_cast<std::size_t>(rails.front().exact.points);
+        for (track::RailReceptance* result : {&scattered_, &mean_}) {
+            result->between.resize(points * points);
+            result->trackbed.resize(points);
+        }
+    }
+
+    const track::RailReceptance& at(lanes::Real omega) override {
+        waves_.reset();
+        if (rails_.size() == 1) return at(0, omega);
+        mean_ = at(0, omega);
+        for (std::size_t i = 1; i < rails_.size(); ++i) {
+            const track::RailReceptance& other = at(i, omega);
+            for (std::size_t k = 0; k < mean_.between.size(); ++k) mean_.between[k] += other.between[k];
+            for (std::size_t k = 0; k < mean_.trackbed.size(); ++k) mean_.trackbed[k] += other.trackbed[k];
+        }
+        const double share = 1.0 / static_cast<double>(rails_.size());
+        for (lanes::Complex& value : mean_.between) value = value * share;
+        for (lanes::Complex& value : mean_.trackbed) value = value * share;
+        return mean_;
+    }
 
   private:
-    const track::ExactRail& rail_;
-    track::ExactRailWorkspace workspace_;
+    struct UniformTrack {
+        track::SupportLaw law;
+        track::BlochWaves waves;
+        UniformTrack(const track::ExactRail& rail, lanes::Real omega)
+            : law(rail.pads, rail.support, omega), waves(track::bloch_waves(rail, omega, law)) {}
+    };
+
+    const track::RailReceptance& at(std::size_t i, lanes::Real omega) {
+        const PreparedRail& rail = rails_[i];
+        if (rail.scattered) {
+            if (!waves_) waves_.emplace(rail.exact, omega);
+            if (track::scattered_receptance(*rail.scattered, waves_->waves, waves_->law, rail.exact.uniform_pad_stiffness_n_per_m, seats_, scattered_))
+                return scattered_;
+        }
+        if (!elimination_[i]) elimination_[i].emplace(rail.exact);
+        return track::rail_receptance(rail.exact, omega, *elimination_[i]);
+    }
+
+    const std::vector<PreparedRail>& rails_;
+    std::optional<UniformTrack> waves_;  ///< of the present ω
+    std::vector<std::optional<track::ExactRailWorkspace>> elimination_;
+    track::ScatteredWorkspace seats_;
+    track::RailReceptance scattered_, mean_;
 };
 
 /// Mean K0 of the supports within a bay of a wheel: what the smeared track of the convected change stands on.
@@ -36,44 +86,22 @@ double stiffness_under_points(const track::ExactRail& rail) {
     return count > 0.0 ? sum / count : rail.uniform_pad_stiffness_n_per_m;
 }
 
-/// Mean over several positions of the wheels along the track.
-class MeanEvaluator : public RailEvaluator {
-  public:
-    explicit MeanEvaluator(const std::vector<track::ExactRail>& rails) {
-        for (const track::ExactRail& rail : rails) single_.emplace_back(rail);
-    }
-    const track::RailReceptance& at(lanes::Real omega) override {
-        mean_ = single_.front().at(omega);
-        for (std::size_t i = 1; i < single_.size(); ++i) {
-            const track::RailReceptance& other = single_[i].at(omega);
-            for (std::size_t k = 0; k < mean_.between.size(); ++k) mean_.between[k] += other.between[k];
-            for (std::size_t k = 0; k < mean_.trackbed.size(); ++k) mean_.trackbed[k] += other.trackbed[k];
-        }
-        const double share = 1.0 / static_cast<double>(single_.size());
-        for (lanes::Complex& value : mean_.between) value = value * share;
-        for (lanes::Complex& value : mean_.trackbed) value = value * share;
-        return mean_;
-    }
-
-  private:
-    std::vector<ExactEvaluator> single_;
-    track::RailReceptance mean_;
-};
-
 class ExactModel : public RailModel {
   public:
-    explicit ExactModel(std::vector<track::ExactRail> rails) : rails_(std::move(rails)), smeared_pad_(stiffness_under_points(rails_.front())) {}
-    std::unique_ptr<RailEvaluator> evaluator() const override {
-        if (rails_.size() == 1) return std::make_unique<ExactEvaluator>(rails_.front());
-        return std::make_unique<MeanEvaluator>(rails_);
+    explicit ExactModel(std::vector<track::ExactRail> rails) : smeared_pad_(stiffness_under_points(rails.front())) {
+        for (track::ExactRail& rail : rails) {
+            std::optional<track::ScatteredRail> scattered = track::scattered_rail(rail);
+            rails_.push_back({std::move(rail), std::move(scattered)});
+        }
     }
+    std::unique_ptr<RailEvaluator> evaluator() const override { return std::make_unique<ExactEvaluator>(rails_); }
 
     void convected_change(double omega, double speed, const std::vector<double>& distances, track::ConvectedChange* change) const override {
-        track::convected_change(rails_.front(), smeared_pad_, omega, speed, distances, change);
+        track::convected_change(rails_.front().exact, smeared_pad_, omega, speed, distances, change);
     }
 
   private:
-    std::vector<track::ExactRail> rails_;
+    std::vector<PreparedRail> rails_;
     double smeared_pad_;
 };
 

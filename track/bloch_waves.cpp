@@ -1,6 +1,6 @@
 #include "track/bloch_waves.hpp"
 
-#include <cmath>
+#include <algorithm>
 
 namespace railpem::track {
 
@@ -18,27 +18,34 @@ Complex row_times(const Complex& a, const Complex& b, const Complex& rotation) {
 }  // namespace
 
 BlochWaves bloch_waves(const TrackParameters& track, double pad_stiffness_n_per_m, lanes::Real omega, const SupportLaw& law) {
+    return bloch_waves(uniform_rail(track, {0.0}, pad_stiffness_n_per_m), omega, law);
+}
+
+BlochWaves bloch_waves(const ExactRail& rail, lanes::Real omega, const SupportLaw& law) {
     BlochWaves waves;
-    waves.spacing_m = track.spacing_m;
-    waves.beam = beam_coefficients(track.rail, track.rail_dampers, omega);
-    waves.support = law.stiffness(pad_stiffness_n_per_m);
-    const HalfTrack half = uniform_half_track(uniform_rail(track, {0.0}, pad_stiffness_n_per_m), omega);
+    waves.spacing_m = rail.spacing_m;
+    waves.beam = beam_coefficients(rail.rail, rail.dampers, omega);
+    waves.support = law.stiffness(rail.uniform_pad_stiffness_n_per_m);
+    const RailElement bay = rail_element(waves.beam, rail.spacing_m);
+    const HalfTrack half = uniform_half_track(rail, omega, bay, waves.support);
     waves.factor = {half.factor_1, half.factor_2};
     const Complex turning = lanes::reciprocal(half.advance.b);
     for (std::size_t i = 0; i < 2; ++i) waves.rotation[i] = (waves.factor[i] - half.advance.a) * turning;
     // A force over a pad turns nothing there: the deflection is 1/(2a + K), and over the next pad the advance of that.
     const Complex share = lanes::reciprocal((half.stiffness.a * 2.0 + waves.support) * (half.factor_1 - half.factor_2));
     waves.excited = {share * (half.advance.a - half.factor_2), share * (half.factor_1 - half.advance.a)};
+    waves.settled = waves.support / ((bay.near.a + bay.far.a) * 2.0 + waves.support);
     return waves;
 }
 
 bool apart(const BlochWaves& waves) {
-    for (int lane = 0; lane < lanes::width; ++lane) {
-        const double difference = std::abs(waves.factor[0][lane] - waves.factor[1][lane]);
-        const double larger = std::max(std::abs(waves.factor[0][lane]), std::abs(waves.factor[1][lane]));
-        const double turned = std::max(std::abs(waves.rotation[0][lane]), std::abs(waves.rotation[1][lane])) * waves.spacing_m;
-        if (!(difference > kApart * larger && turned < 1.0 / kApart)) return false;
-    }
+    using lanes::norm;
+    const lanes::Real difference = norm(waves.factor[0] - waves.factor[1]), first = norm(waves.factor[0]), second = norm(waves.factor[1]);
+    const lanes::Real turned = norm(waves.rotation[0]), other_turned = norm(waves.rotation[1]);
+    constexpr double apart2 = kApart * kApart;
+    const double turned2 = 1.0 / (apart2 * waves.spacing_m * waves.spacing_m);
+    for (int lane = 0; lane < lanes::width; ++lane)
+        if (!(difference[lane] > apart2 * std::max(first[lane], second[lane]) && std::max(turned[lane], other_turned[lane]) < turned2)) return false;
     return true;
 }
 
@@ -48,12 +55,14 @@ BayPoint bay_point(const BlochWaves& waves, double ahead_m) {
         point.from_rear = {Complex(1.0), Complex(1.0)};
         point.from_front = waves.factor;
         point.own = waves.excited[0] + waves.excited[1];
+        point.lifted = Complex(1.0);
         return point;
     }
     const RailElement behind = rail_element(waves.beam, ahead_m), ahead = rail_element(waves.beam, waves.spacing_m - ahead_m);
     const Matrix2 clamped = lanes::inverse(mirrored(behind.near) + ahead.near);  // receptance between pads that do not move
     const Matrix2 rear = Matrix2{} - clamped * transpose(behind.far), front = Matrix2{} - clamped * ahead.far;
     point.own = clamped.a;
+    point.lifted = rear.a + front.a;
     for (std::size_t i = 0; i < 2; ++i) {
         const Complex& rotation = waves.rotation[i];
         const Complex rear_ahead = row_times(rear.a, rear.b, rotation), front_ahead = row_times(front.a, front.b, rotation);

@@ -17,11 +17,15 @@ struct BlochWaves {
     WavePair excited;    ///< deflection over a pad, either way, by a unit force over it, m/N
     BeamCoefficients beam;
     lanes::Complex support;  ///< stiffness of every seat
+    lanes::Complex settled;  ///< deflection over every pad when each is loaded with its own stiffness; nothing turns there
     double spacing_m = 0.0;
 };
 
 /// The waves of `track` on sound pads of K0 = `pad_stiffness_n_per_m`. ω > 0 in rad/s; `law`: at that ω.
 BlochWaves bloch_waves(const TrackParameters& track, double pad_stiffness_n_per_m, lanes::Real omega, const SupportLaw& law);
+
+/// The waves of the uniform track that `rail` is apart from its finite part.
+BlochWaves bloch_waves(const ExactRail& rail, lanes::Real omega, const SupportLaw& law);
 
 /// False where the two waves all but coincide, or one of them leaves the pads at rest (pinned–pinned): there each grows beyond bounds while their
 /// sum stays, and what is built on them loses digits.
@@ -32,6 +36,7 @@ struct BayPoint {
     WavePair from_rear;   ///< deflection there per deflection over the pad behind, waves that decay towards the front
     WavePair from_front;  ///< the same per deflection over the pad ahead, waves that decay towards the rear
     lanes::Complex own;   ///< receptance of the uniform track there, m/N
+    lanes::Complex lifted;  ///< deflection there when both pads beside it are moved by 1 and nothing turns over them
 };
 
 /// By reciprocity a unit force at the point sends excited·from_front over the pad ahead and excited·from_rear over the pad behind.

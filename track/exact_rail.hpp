@@ -99,4 +99,7 @@ const RailReceptance& rail_receptance(const ExactRail& rail, lanes::Real omega, 
 /// Half of the infinite uniform track at ω (its decay per bay, its impedance).
 HalfTrack uniform_half_track(const ExactRail& rail, lanes::Real omega);
 
+/// The same with what it is made of known: a bay of rail and a support at ω.
+HalfTrack uniform_half_track(const ExactRail& rail, lanes::Real omega, const RailElement& bay, const lanes::Complex& support);
+
 }  // namespace railpem::track

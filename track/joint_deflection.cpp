@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace railpem::track {
@@ -13,51 +14,6 @@ namespace {
 
 constexpr std::size_t kMostPoints = 4;
 constexpr double kSameNode = 1e-9;  ///< as in exact_rail
-
-/// Everything behind a place: a = S·β + e.
-struct Behind {
-    Complex s11, s12, s22;
-    WavePair e;
-};
-
-/// The waves over the bays, with what is the same in all of them computed once.
-struct BayFactors {
-    Complex first, second, first_first, first_second, second_second;
-    explicit BayFactors(const WavePair& factor)
-        : first(factor[0]), second(factor[1]), first_first(first * first), first_second(first * second), second_second(second * second) {}
-};
-
-inline void cross_bay_unloaded(const BayFactors& bay, Behind& behind) {
-    behind.s11 = behind.s11 * bay.first_first;
-    behind.s12 = behind.s12 * bay.first_second;
-    behind.s22 = behind.s22 * bay.second_second;
-}
-
-inline void cross_bay(const BayFactors& bay, Behind& behind) {
-    cross_bay_unloaded(bay, behind);
-    behind.e = {behind.e[0] * bay.first, behind.e[1] * bay.second};
-}
-
-/// A seat over which nothing has pushed the rail yet.
-inline Scatter scatter_unloaded(const WavePair& excited, const Complex& numerator, const Complex& denominator, Behind& behind, Complex& u1, Complex& u2) {
-    u1 = excited[0] + behind.s11 + behind.s12;
-    u2 = excited[1] + behind.s12 + behind.s22;
-    const Complex sigma = numerator / (numerator * (u1 + u2) + denominator);
-    const Scatter seat{{sigma * u1, sigma * u2}, sigma};
-    behind.s11 -= seat.strength[0] * u1;
-    behind.s12 -= seat.strength[0] * u2;
-    behind.s22 -= seat.strength[1] * u2;
-    return seat;
-}
-
-inline Scatter scatter(const WavePair& excited, const Complex& numerator, const Complex& denominator, Behind& behind) {
-    Complex u1, u2;
-    Scatter seat = scatter_unloaded(excited, numerator, denominator, behind, u1, u2);
-    seat.load = seat.load * (behind.e[0] + behind.e[1]);
-    behind.e[0] -= u1 * seat.load;
-    behind.e[1] -= u2 * seat.load;
-    return seat;
-}
 
 /// A unit force in the bay: into what is behind the next pad; to be called before cross_bay().
 WavePair forced(const BayPoint& point, const WavePair& excited, const BayFactors& bay, const Behind& behind) {
@@ -76,19 +32,34 @@ Complex deflection(const BayPoint& point, const WavePair& excited, const BayFact
     return w;
 }
 
+/// Of a wave that goes to a seat and comes back: below it the seat is not felt.
+constexpr double kUnfelt = 1e-13;
+
+/// Bays over which a wave and its echo have decayed below that in every lane.
+std::size_t felt_bays(const WavePair& factor) {
+    double largest = 0.0;
+    for (int lane = 0; lane < lanes::width; ++lane)
+        largest = std::max({largest, lanes::norm(factor[0])[lane], lanes::norm(factor[1])[lane]});
+    if (!(largest < 1.0)) return std::numeric_limits<std::size_t>::max() / 2;
+    return static_cast<std::size_t>(std::log(kUnfelt) / std::log(largest)) + 2;
+}
+
 /// `Count` rows in step: one waits for the division of its last seat while the other computes.
 template <std::size_t Count>
 void sweep(const BlochWaves& waves, const SupportLaw::Change& change, double uniform, const std::vector<Seat>* const* rows, const PlacedPoints& placed,
            std::span<const BayPoint> points, ScatterRow& memory, Complex* result, double tolerance) {
     const BayFactors bay(waves.factor);
-    const std::size_t seats = rows[0]->size(), count = placed.points.size();
+    const std::size_t count = placed.points.size(), felt = felt_bays(waves.factor);
+    // What is so far behind the rearmost point or ahead of the foremost that no echo of it is left is not looked at.
+    const std::size_t rear = placed.points.front().seat > felt ? placed.points.front().seat - felt : 0;
+    const std::size_t seats = std::min(rows[0]->size(), placed.points.back().seat + felt + 1);
     std::array<Behind, Count> behind{};
     std::array<std::array<Behind, Count>, kMostPoints> at_point;
     const auto differs = [&](const Seat& seat) { return seat.scale != 1.0 || std::abs(seat.pad_stiffness_n_per_m - uniform) > tolerance * uniform; };
     const std::size_t loaded = placed.points.front().seat + 1;  // behind it nothing pushes, and the way back ends there
-    for (std::size_t j = 0; j < loaded; ++j)
+    for (std::size_t j = rear; j < loaded; ++j)
         for (std::size_t t = 0; t < Count; ++t) {
-            if (j > 0) cross_bay_unloaded(bay, behind[t]);
+            if (j > rear) cross_bay_unloaded(bay, behind[t]);
             const Seat& seat = (*rows[t])[j];
             Complex u1, u2;
             if (differs(seat))
@@ -100,7 +71,7 @@ void sweep(const BlochWaves& waves, const SupportLaw::Change& change, double uni
         for (std::size_t t = 0; t < Count && j >= loaded; ++t) {
             const Seat& seat = (*rows[t])[j];
             memory[j][t] = differs(seat) ? scatter(waves.excited, change.numerator(seat.pad_stiffness_n_per_m, seat.scale),
-                                                   change.denominator(seat.pad_stiffness_n_per_m, seat.scale), behind[t])
+                                                   change.denominator(seat.pad_stiffness_n_per_m, seat.scale), behind[t].e[0] + behind[t].e[1], behind[t])
                                          : Scatter{};
         }
         const bool has_point = point < count && placed.points[point].seat == j;

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "track/bloch_waves.hpp"
 #include "track/seat_row.hpp"
+#include "track/seat_scatter.hpp"
 
 namespace railpem::track {
 
@@ -25,10 +25,6 @@ struct PlacedPoints {
 std::optional<PlacedPoints> place_points(const std::vector<Seat>& seats, const std::vector<double>& points_m, double spacing_m);
 
 /// Memory of joint_deflection(): what a seat scatters, in two rows side by side.
-struct Scatter {
-    WavePair strength;
-    lanes::Complex load;
-};
 using ScatterRow = std::vector<std::array<Scatter, 2>>;
 
 /// Deflection at every point under unit forces at all of them, m/N, for each of `rows`: the sums over the rows of

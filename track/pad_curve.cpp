@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "lanes/complex_lanes.hpp"
 #include "parameters/parameter_error.hpp"
 
 namespace railpem::track {
@@ -52,6 +53,29 @@ double bisect(const PadCurve& curve, double low, double high, double force_n) {
     }
 }
 
+[[noreturn]] void refuse_falling_curve(double compression_m, double force_n) {
+    throw ParameterError("track.pads.force_polynomial_n",
+                         fmt::format("the static curve stops rising at a compression of {:.3g} mm, at {:.3g} kN", 1e3 * compression_m, 1e-3 * force_n),
+                         "a curve that rises up to curve_limit_n, or a smaller curve_limit_n");
+}
+
+/// The first step from the free compression at which a polynomial is not below the limit, several at once: the steps are many, and a train
+/// at many places asks for the curve at each.
+double first_beyond(const PadCurve& curve, double limit_n, double step, double farthest) {
+    for (double s = curve.free_compression_m;;) {
+        lanes::Real at{}, force{}, slope{};
+        for (int lane = 0; lane < lanes::width; ++lane, s += step) at[lane] = s;
+        for (auto c = curve.polynomial_n.rbegin(); c != curve.polynomial_n.rend(); ++c) {
+            slope = slope * at + force;
+            force = force * at + *c;
+        }
+        for (int lane = 0; lane < lanes::width; ++lane) {
+            if (!(force[lane] < limit_n)) return at[lane];
+            if (slope[lane] <= 0.0 || at[lane] - curve.free_compression_m > farthest) refuse_falling_curve(at[lane], force[lane]);
+        }
+    }
+}
+
 /// Walks along a polynomial in steps far below any compression of interest: from zero force up to the limit, making
 /// sure that it rises all the way.
 void find_polynomial_ends(PadCurve& curve, const PadParameters& pads) {
@@ -68,16 +92,7 @@ void find_polynomial_ends(PadCurve& curve, const PadParameters& pads) {
                                  "a curve that starts near F = 0 and rises");
     }
     curve.free_compression_m = bisect(curve, s, s + step, 0.0);
-    for (s = curve.free_compression_m;; s += step) {
-        const ForceAndSlope here = measured_value(curve, s);
-        if (!(here.force_n < pads.curve_limit_n)) break;
-        if (here.slope_n_per_m <= 0.0 || s - curve.free_compression_m > farthest)
-            throw ParameterError(
-                "track.pads.force_polynomial_n",
-                fmt::format("the static curve stops rising at a compression of {:.3g} mm, at {:.3g} kN", 1e3 * s,
-                            1e-3 * here.force_n),
-                "a curve that rises up to curve_limit_n, or a smaller curve_limit_n");
-    }
+    s = first_beyond(curve, pads.curve_limit_n, step, farthest);
     const double before = std::max(s - step, curve.free_compression_m);
     curve.limit_compression_m = bisect(curve, before, s, pads.curve_limit_n);
 }

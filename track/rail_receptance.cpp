@@ -21,10 +21,6 @@ Bay lossier(const ExactRail& rail, Real omega, const Complex& support) {
     return {rail_element(beam_coefficients(lossy, rail.dampers, omega), rail.spacing_m), support * factor};
 }
 
-HalfTrack beyond(const ExactRail& rail, Real omega, const RailElement& bay, const Complex& support) {
-    return half_track(bay, support, [&] { return lossier(rail, omega, support); });
-}
-
 /// d = −(behind + near)⁻¹·far·d_next and what the next node then feels.
 struct Elimination {
     Matrix2 inverted, back, behind_next;
@@ -89,7 +85,7 @@ const RailReceptance& rail_receptance(const ExactRail& rail, Real omega, ExactRa
         work.supports[j] = rail.nodes[j].supported ? law.stiffness(rail.nodes[j].pad_stiffness_n_per_m, rail.nodes[j].pad_scale) : Complex{};
 
     const Complex uniform = law.stiffness(rail.uniform_pad_stiffness_n_per_m);
-    const HalfTrack ahead = beyond(rail, omega, work.elements[0], uniform);
+    const HalfTrack ahead = uniform_half_track(rail, omega, work.elements[0], uniform);
     const std::size_t last = rail.nodes.size() - 1;
 
     Matrix2 behind = mirrored(ahead.stiffness);
@@ -113,10 +109,14 @@ const RailReceptance& rail_receptance(const ExactRail& rail, Real omega, ExactRa
     return work.result;
 }
 
+HalfTrack uniform_half_track(const ExactRail& rail, Real omega, const RailElement& bay, const Complex& support) {
+    return half_track(bay, support, [&] { return lossier(rail, omega, support); });
+}
+
 HalfTrack uniform_half_track(const ExactRail& rail, Real omega) {
     const RailElement bay = rail_element(beam_coefficients(rail.rail, rail.dampers, omega), rail.spacing_m);
     const Complex support = SupportLaw(rail.pads, rail.support, omega).stiffness(rail.uniform_pad_stiffness_n_per_m);
-    return beyond(rail, omega, bay, support);
+    return uniform_half_track(rail, omega, bay, support);
 }
 
 }  // namespace railpem::track

@@ -103,6 +103,14 @@ void coupled_line_modal_200(benchmark::State& state) {
 }
 BENCHMARK(coupled_line_modal_200)->Unit(benchmark::kMillisecond)->Iterations(2);
 
+/// 2000 lines of case 1, whose pads know neither load nor frequency: no effect at all.
+void case_1_all_outputs(benchmark::State& state) {
+    const pem::CaseParameters c = tests::paper_case(1);
+    for (auto _ : state) benchmark::DoNotOptimize(pem::solve_case(c, 22.2222, {.threads = 1}));
+    state.SetItemsProcessed(state.iterations() * 1998);
+}
+BENCHMARK(case_1_all_outputs)->Unit(benchmark::kMillisecond);
+
 /// 2000 lines of case 3, all responses, static equilibrium included; threads as argument.
 void case_3_all_outputs(benchmark::State& state) {
     const pem::CaseParameters c = tests::paper_case(3);
@@ -129,7 +137,7 @@ pem::CaseParameters every_track_effect() {
     return c;
 }
 
-/// The same 2000 lines with every effect of the track: to be compared with case_3_all_outputs/1. Argument 0: every 8th fastener has
+/// The same 2000 lines with every effect of the track: to be compared with case_1_all_outputs, which has none, and case_3_all_outputs/1. Argument 0: every 8th fastener has
 /// failed; 1: one in eight, drawn.
 void case_3_every_track_effect(benchmark::State& state) {
     pem::CaseParameters c = every_track_effect();
@@ -157,6 +165,16 @@ void wheel_transfers_350(benchmark::State& state) {
     state.SetItemsProcessed(state.iterations() * 350);
 }
 BENCHMARK(wheel_transfers_350)->Args({1, 0})->Args({1, 1})->Args({3, 0})->Args({3, 1})->Unit(benchmark::kMillisecond);
+
+/// The same lines of wheels in motion on case 1, all fasteners sound (0) and every 8th failed (1): 3 and 24 positions of the wheels.
+void moving_failed_350(benchmark::State& state) {
+    pem::CaseParameters c = tests::paper_case(1);
+    c.solver.moving = true;
+    if (state.range(0) != 0) c.track.failed_fasteners = {{.every = 8}};
+    for (auto _ : state) benchmark::DoNotOptimize(pem::wheel_transfers(pem::coupled_model(c, 22.2222), 0.5, 0.5, 350, {0, 1, 2, 3, 4, 5, 6, 7, 8}, 1));
+    state.SetItemsProcessed(state.iterations() * 350);
+}
+BENCHMARK(moving_failed_350)->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
 
 /// UIC60 on ballast: receptance over a pad and mid-bay, 1500 lines 20–3000 Hz.
 void receptance_uic60(benchmark::State& state) {
