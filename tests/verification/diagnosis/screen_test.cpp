@@ -63,7 +63,7 @@ std::vector<Planted> plants() {
     static const std::vector<EffectInstance> instances = {
         {.effect = "pad-frequency-stiffening", .values = {{"exponent", 0.15}}, .choices = {}},
         {.effect = "body-bending", .values = {{"frequency_hz", 9.5}, {"damping_ratio", 0.02}, {"modal_mass_kg", 12e3}, {"shape_at_pivots", -0.4}}, .choices = {}},
-        {.effect = "primary-damper-series-stiffness", .values = {}, .choices = {}},
+        {.effect = "primary-damper-series-stiffness", .values = {{"stiffness_n_per_m", 4e7}}, .choices = {}},
         {.effect = "sensor-gain", .values = {{"gain", 1.05}}, .choices = {{"channel", "bogie_1"}}},
         {.effect = "timing-skew", .values = {{"delay_s", 2e-3}}, .choices = {{"channel", "bogie_2"}}},
         {.effect = "wheel-out-of-roundness", .values = {}, .choices = {{"wheel", "2"}, {"order", "3"}}},
