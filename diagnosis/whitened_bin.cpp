@@ -31,6 +31,49 @@ Parts parts_of(const Trial& trial, const Observation& observation, std::size_t i
     return parts;
 }
 
+/// A lower triangular matrix as numbers side by side: columns of real and of imaginary parts.
+struct Lower {
+    double re[kMostChannels][kMostChannels], im[kMostChannels][kMostChannels];  ///< [column][row]
+    explicit Lower(const BinMatrix& matrix) {
+        for (long j = 0; j < matrix.cols(); ++j)
+            for (long i = j; i < matrix.rows(); ++i) re[j][i] = matrix(i, j).real(), im[j][i] = matrix(i, j).imag();
+    }
+};
+
+/// L⁻¹HL⁻ᴴ of a Hermitian H, whose entries `h(row, column)` gives. Small matrices: what a general product spends on packing is more than this.
+template <class Hermitian>
+BinMatrix sandwiched(const Lower& inverse, long size, const Hermitian& h) {
+    double re[kMostChannels][kMostChannels], im[kMostChannels][kMostChannels];  // half = L⁻¹H, rows from its diagonal down
+    for (long k = 0; k < size; ++k) {
+        for (long i = k; i < size; ++i) re[k][i] = im[k][i] = 0.0;
+        for (long m = 0; m < size; ++m) {
+            const std::complex<double> own = h(m, k);
+            const double a = own.real(), b = own.imag();
+            for (long i = std::max(m, k); i < size; ++i) {
+                re[k][i] += inverse.re[m][i] * a - inverse.im[m][i] * b;
+                im[k][i] += inverse.re[m][i] * b + inverse.im[m][i] * a;
+            }
+        }
+    }
+    BinMatrix result(size, size);
+    for (long j = 0; j < size; ++j) {
+        double x[kMostChannels] = {}, y[kMostChannels] = {};
+        for (long k = 0; k <= j; ++k) {
+            const double a = inverse.re[k][j], b = -inverse.im[k][j];
+            for (long i = j; i < size; ++i) {
+                x[i] += re[k][i] * a - im[k][i] * b;
+                y[i] += re[k][i] * b + im[k][i] * a;
+            }
+        }
+        result(j, j) = x[j];
+        for (long i = j + 1; i < size; ++i) {
+            result(i, j) = {x[i], y[i]};
+            result(j, i) = {x[i], -y[i]};
+        }
+    }
+    return result;
+}
+
 /// Everything at one s but the projection.
 WhitenedBin whiten_at(const Parts& parts, const MeasuredSpectra& data, std::size_t bin, double s) {
     const long size = parts.excited.rows();
@@ -45,16 +88,24 @@ WhitenedBin whiten_at(const Parts& parts, const MeasuredSpectra& data, std::size
     result.inverse_factor = BinMatrix::Identity(size, size);
     factor.matrixL().solveInPlace(result.inverse_factor);
     const Eigen::Map<const Eigen::MatrixXcd> estimate(&data.values[bin * static_cast<std::size_t>(size * size)], size, size);
-    const BinMatrix half = result.inverse_factor * estimate;
-    result.residual = half * result.inverse_factor.adjoint();
+    const Lower inverse(result.inverse_factor);
+    result.residual = sandwiched(inverse, size, [&](long i, long j) { return estimate(i, j); });
     double log_determinant = 0.0;
     for (long i = 0; i < size; ++i) log_determinant -= 2.0 * std::log(result.inverse_factor(i, i).real());
     result.log_likelihood = -(log_determinant - data.log_determinant[bin] + result.residual.trace().real() - static_cast<double>(size));
     result.residual.diagonal().array() -= 1.0;
     // What is excited is S without noise: L⁻¹(S − N)L⁻ᴴ = 1 − L⁻¹NL⁻ᴴ.
-    const BinMatrix damped = result.inverse_factor * parts.noise.cast<std::complex<double>>().matrix().asDiagonal();
-    result.scale = -(damped * result.inverse_factor.adjoint());
-    result.scale.diagonal().array() += 1.0;
+    result.scale.resize(size, size);
+    for (long j = 0; j < size; ++j)
+        for (long i = j; i < size; ++i) {
+            double x = i == j ? 1.0 : 0.0, y = 0.0;
+            for (long k = 0; k <= j; ++k) {
+                x -= parts.noise(k) * (inverse.re[k][i] * inverse.re[k][j] + inverse.im[k][i] * inverse.im[k][j]);
+                y -= parts.noise(k) * (inverse.im[k][i] * inverse.re[k][j] - inverse.re[k][i] * inverse.im[k][j]);
+            }
+            result.scale(i, j) = {x, y};
+            result.scale(j, i) = {x, -y};
+        }
     return result;
 }
 
