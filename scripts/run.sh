@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # The main job from a clean clone: installs what is missing, builds the release program, solves the cases of the paper,
-# draws its figures, and says where everything is. Results go to out/ (or to the folder given as argument).
+# draws its figures, diagnoses a recording in which something is concealed, opens the truth, and says where everything is.
+# Results go to out/ (or to the folder given as argument).
 set -euo pipefail
 source "$(dirname "$0")/setup.sh"
 out=$(realpath -m "${1:-$root/out}")
@@ -16,9 +17,14 @@ for case in "${cases[@]}"; do
 done
 /usr/bin/python3 "$root/scripts/plot_paper.py" --tables "$out/wei2016" --out "$out/wei2016/figures"
 
+"$program" diagnose "$root/cases/wei2016/case1.toml" "$root/cases/concealed" --out "$out/concealed"
+/usr/bin/python3 "$root/scripts/plot_diagnosis.py" "$out/concealed" > /dev/null
+/usr/bin/python3 "$root/scripts/open_truth.py" "$root/cases/concealed/truth.json" "$out/concealed/diagnosis.json"
+
 cat <<MESSAGE
 
 The program:  $program
 Tables:       $out/wei2016/*.psd.csv, *.bands.csv, *.static.csv, *.summary.json
 Figures:      $out/wei2016/figures/*.png, *.svg (2 to 5 and 7 to 10 of Wei et al. 2016)
+Diagnosis:    $out/concealed/report.html of the recording in cases/concealed; *.png, diagnosis.json beside it
 MESSAGE
