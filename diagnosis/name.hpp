@@ -11,7 +11,7 @@
 
 namespace railpem::diagnosis {
 
-/// Calibrated on nulls; see thresholds.md beside this file.
+/// Thresholds of the search. Set by judgement on a few dozen marched and drawn recordings; calibrate_verdict measures their false alarms.
 struct NamingOptions {
     int most_effects = 3;
     int refits = 7;             ///< candidates refitted in the first round
