@@ -205,7 +205,6 @@ CandidateList candidates(const BelievedCase& believed, const Trial& trial, const
         for (EffectInstance& instance : variants)
             list.candidates.push_back({.instance = instance,
                                        .probe = probe_of(effect, instance),
-                                       .replaces = effect.id == "pad-hysteresis",
                                        .two_sided = is_two_sided(effect),
                                        .log_prior = -std::log(static_cast<double>(effects().size() * places.size()))});
     }

@@ -12,7 +12,6 @@ namespace railpem::diagnosis {
 struct Candidate {
     EffectInstance instance;  ///< where a fit starts
     EffectInstance probe;     ///< where screening looks: all but nothing, or `instance` where strength adds power
-    bool replaces = false;        ///< it takes the place of a law of the case, so that no derivative at vanishing strength speaks for it
     bool two_sided = false;       ///< the opposite sign of the strength is as believable
     double log_prior = 0.0;       ///< of this variant: the effect's, shared among its variants
 };

@@ -42,6 +42,7 @@ class Diagnosing {
             result_.statement = "Interrupted before the case was retuned: nothing is known.";
             return std::move(result_);
         }
+        if (drop_superfluous(naming_, options_.thresholds)) naming_.left_by_best.clear();  // it was of a set that is gone
         study_places();
         const Decision decision = decide(naming_, study_, options_.thresholds);
         say("refitting on everything", 0.92);

@@ -274,7 +274,7 @@ class Search {
             return element_of(*find_effect(instance.effect), instance);
         };
         for (const Promise& promise : result_.first_promises) {
-            if (!result_.candidates[promise.candidate].replaces) continue;
+            if (!find_effect(result_.candidates[promise.candidate].instance.effect)->replaces) continue;
             const bool there = std::any_of(chosen.begin(), chosen.end(), [&](const Starts& own) { return own.front().candidate == promise.candidate; });
             const bool wanted = std::any_of(chosen.begin(), chosen.end(), [&](const Starts& own) { return element(own.front()) == element(promise); });
             if (wanted && !there) chosen.push_back({promise});
