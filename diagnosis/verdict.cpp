@@ -39,9 +39,18 @@ bool unseen_disagrees(const FittedSet& smaller, const FittedSet& larger) {
     return larger.held_out < smaller.held_out - (only_released ? kHeldOutChance : 0.0);
 }
 
+constexpr double kLeaning = 2.0;  ///< nats that a set may gain beyond the range of its physics by chance: two deviations
+
+bool leans(const FittedSet& set) { return nats_beyond_range(set) > kLeaning; }
+
 bool says_as_much(const FittedSet& smaller, const FittedSet& larger, const VerdictThresholds& thresholds) {
     return smaller.members() < larger.members() && contains(larger, smaller) &&
-           (larger.score() < smaller.score() + thresholds.least_gain || unseen_disagrees(smaller, larger));
+           (larger.score() < smaller.score() + thresholds.least_gain || unseen_disagrees(smaller, larger) || (leans(larger) && !leans(smaller)));
+}
+
+/// Nats that may be left beside a named set: chance, and what the named law's own form leaves of an effect that is large.
+double bearable_residual(const FittedSet& set, double nothing, const VerdictThresholds& thresholds) {
+    return std::max(thresholds.residual, thresholds.residual_share * (set.score() - nothing));
 }
 
 bool only_sensors(const FittedSet& set) {
@@ -86,12 +95,12 @@ Decision decide(const NamingResult& naming, const PlaceStudy& places, const Verd
     if (gains) {
         decision.named = best;
         for (const FittedSet& set : naming.sets)
-            if (&set == best || (set.score() > best->score() - thresholds.credible && !contains(set, *best)))
+            if (&set == best || (set.score() > best->score() - thresholds.credible && !contains(set, *best) && !leans(set)))
                 decision.credible.push_back(&set);
     }
     const double residual_named = places.at_named.empty() ? 0.0 : places.at_named.front().nats;
     const double residual_retuned = places.at_retuned.empty() ? 0.0 : places.at_retuned.front().nats;
-    if (gains && decision.unknown_score < best->score() + thresholds.anonymous && residual_named < thresholds.residual)
+    if (gains && decision.unknown_score < best->score() + thresholds.anonymous && residual_named < bearable_residual(*best, nothing, thresholds) && !leans(*best))
         decision.verdict = decision.credible.size() > 1 ? Verdict::ambiguous : only_sensors(*best) ? Verdict::recording_fault : Verdict::explained;
     else if (gains)
         decision.verdict = Verdict::unexplained;
