@@ -281,6 +281,17 @@ class Search {
         }
     }
 
+    /// Effects that no derivative at nothing can promise are tried beside every set of something else.
+    void add_unpromised(const std::vector<Promise>& promises, std::vector<Starts>& chosen) const {
+        for (const Promise& promise : promises) {
+            const EffectInstance& instance = result_.candidates[promise.candidate].instance;
+            const Effect& effect = *find_effect(instance.effect);
+            if (!effect.replaces && !is_switch(effect)) continue;
+            const auto same = [&](const Starts& own) { return same_variant(result_.candidates[own.front().candidate].instance, instance); };
+            if (std::none_of(chosen.begin(), chosen.end(), same)) chosen.push_back({promise});
+        }
+    }
+
     void first_round() {
         std::vector<Starts> chosen = worth_refitting(result_.first_promises, result_.candidates, options_.least_promise, options_.refits);
         add_replacing(chosen);
@@ -313,6 +324,8 @@ class Search {
         };
         std::erase_if(chosen, is_member);
         if (static_cast<int>(chosen.size()) > options_.later_refits) chosen.erase(chosen.begin() + options_.later_refits, chosen.end());
+        add_unpromised(promises, chosen);
+        std::erase_if(chosen, is_member);
         Candidate winner;
         double highest = -1e300;
         for (const Starts& starts : chosen) {

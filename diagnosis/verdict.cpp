@@ -79,7 +79,9 @@ bool drop_superfluous(NamingResult& naming, const VerdictThresholds& thresholds)
     bool first = false;
     for (std::size_t i = 0; i < naming.sets.size(); ++i) {
         const FittedSet& set = naming.sets[i];
-        if (std::none_of(naming.sets.begin(), naming.sets.end(), [&](const FittedSet& own) { return says_as_much(own, set, thresholds); })) kept.push_back(set);
+        const bool superfluous = unseen_disagrees(naming.retuned, set) ||
+                                 std::any_of(naming.sets.begin(), naming.sets.end(), [&](const FittedSet& own) { return says_as_much(own, set, thresholds); });
+        if (!superfluous) kept.push_back(set);
         else first = first || i == 0;
     }
     naming.sets = std::move(kept);
@@ -175,10 +177,11 @@ std::string place_in_words(const Diagnosis& diagnosis) {
 }  // namespace
 
 std::string statement_of(const Diagnosis& diagnosis) {
-    const std::string gain = fmt::format("Per {} the misfit is {:.3g} nats after retuning and {:.3g} with it; on what no fit has seen {:.3g} and {:.3g}.",
-                                         diagnosis.per_value ? "value" : "second of record",
-                                         -diagnosis.retuned.log_likelihood_per_second, -diagnosis.after.log_likelihood_per_second,
-                                         -diagnosis.held_out_retuned.log_likelihood_per_second, -diagnosis.held_out_after.log_likelihood_per_second);
+    const std::string gain =
+        fmt::format("With it the recordings are more probable than after retuning alone by {:.3g} nats per {}, and what no fit has seen by {:.3g}.",
+                    diagnosis.after.log_likelihood_per_second - diagnosis.retuned.log_likelihood_per_second,
+                    diagnosis.per_value ? "value" : "second of record",
+                    diagnosis.held_out_after.log_likelihood_per_second - diagnosis.held_out_retuned.log_likelihood_per_second);
     switch (diagnosis.verdict) {
         case Verdict::consistent:
             return fmt::format("Nothing significant is missing: with its own numbers retuned within their tolerances the case explains the recordings "
