@@ -85,8 +85,13 @@ LoadedRecordings load_recordings(const DiagnoseRequest& request, const CaseFile&
         }
         const recordings::InspectionReport inspection = recordings::inspect(recording, inspection_beliefs(file, description));
         std::vector<std::string> faults, not_used;
-        for (const recordings::Fault& fault : inspection.faults)
+        for (const recordings::Fault& fault : inspection.faults) {
             if (fault.severity != recordings::Severity::note) faults.push_back(fault.says);
+            if (fault.severity != recordings::Severity::error) continue;
+            // At another speed nothing lies where it is looked for, and no fit would come near.
+            if (fault.kind == recordings::FaultKind::speed_mismatch) throw InputError(fmt::format("{}: {}\nallowed: the speed of the record, in m/s", path, fault.says));
+            fmt::print(stderr, "{}: {}\n", path, fault.says);
+        }
         for (const recordings::Channel& channel : recording.series.channels)
             if (std::find(observation.channel_names.begin(), observation.channel_names.end(), channel.description.name) == observation.channel_names.end())
                 not_used.push_back(channel.description.name);

@@ -9,10 +9,11 @@ Effect suspension_friction() {
             "there is dry friction in the suspension: it damps strongly when little moves and hardly when much does",
         .equation =
             "F·sgn(u̇), by statistical linearisation c = F·√(2/π)/σ with σ the rms velocity that results; adds to "
-            "the case's own",
+            "the case's own; a diagnosis also expects what is left, a force of correlation F²·(2/π)·(asin ρ − ρ) with ρ "
+            "that of the velocities",
         .source =
             "Roberts & Spanos 1990, Random Vibration and Statistical Linearization; Bruni et al. 2011, Vehicle System "
-            "Dynamics 49",
+            "Dynamics 49; van Vleck & Middleton 1966, Proc. IEEE 54",
         .parameters = {{.name = "force_n",
                         .unit = "N",
                         .low = 50.0,
