@@ -28,6 +28,7 @@ endif()
 
 if(RAILPEM_PYTHON)
   list(APPEND CPACK_COMPONENTS_ALL python)
+  find_package(Python 3.11 REQUIRED COMPONENTS Interpreter)  # the one that python/ was built for
   math(EXPR next_minor "${Python_VERSION_MINOR} + 1")
   set(CPACK_COMPONENT_PYTHON_DESCRIPTION "Vehicle-track dynamics: module for Python\nThe verbs of railpem as functions, their results as numpy arrays.${processor}")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-railpem)

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Makes the Debian packages of the release build, installs them in a bare Debian 12 and runs them there: the program solves and diagnoses
-# nothing less than a user would, the module solves in Python, and a project builds against the libraries with --development.
+# Makes the Debian packages of the release build, installs them in a bare Debian 12 and runs them there: program and module solve, and
+# with --development a project builds against the libraries.
 # As root, with debootstrap and a network. The bare system lives in a folder of its own, which vanishes at the end.
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
@@ -11,6 +11,8 @@ trap 'umount -q "$bare/proc" || true; rm -rf --one-file-system "$bare"' EXIT
 
 (cd "$build" && cpack -B "$build/packages")
 debootstrap --variant=minbase bookworm "$bare" "$mirror" > /dev/null
+# Packages are read by the user of apt.
+chmod 755 "$bare"
 mount -t proc proc "$bare/proc"
 cp "$build"/packages/*.deb "$bare/root/"
 inside() { chroot "$bare" /usr/bin/env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root "$@"; }
@@ -18,7 +20,7 @@ inside() { chroot "$bare" /usr/bin/env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOM
 packages=(/root/railpem_*.deb /root/python3-railpem_*.deb)
 [ "${1:-}" = --development ] && packages+=(/root/librailpem-dev_*.deb cmake)
 inside apt-get -q update > /dev/null
-inside sh -c "DEBIAN_FRONTEND=noninteractive apt-get -q install -y --no-install-recommends ${packages[*]}" > /dev/null
+inside sh -c "DEBIAN_FRONTEND=noninteractive apt-get -q install -y --no-install-recommends ${packages[*]}" > "$bare/install.log" || { cat "$bare/install.log"; exit 1; }
 
 cases=/usr/share/railpem/cases
 inside railpem --version

@@ -41,7 +41,7 @@ TEST(Crew, EveryNumberIsGivenOnceToSomeThread) {
 }
 
 TEST(Share, ManyAtFirstAndSingleOnesAtTheEnd) {
-    EXPECT_EQ(share_of(100000, 4), 64u);
+    EXPECT_EQ(share_of(100000, 4), 1024u);
     EXPECT_EQ(share_of(320, 4), 10u);
     EXPECT_EQ(share_of(5, 4), 1u);
 }
