@@ -18,7 +18,7 @@ cp "$build"/packages/*.deb "$bare/root/"
 inside() { chroot "$bare" /usr/bin/env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root "$@"; }
 
 packages=(/root/railpem_*.deb /root/python3-railpem_*.deb)
-[ "${1:-}" = --development ] && packages+=(/root/librailpem-dev_*.deb cmake)
+[ "${1:-}" = --development ] && packages+=(/root/librailpem-dev_*.deb cmake make)
 inside apt-get -q update > /dev/null
 inside sh -c "DEBIAN_FRONTEND=noninteractive apt-get -q install -y --no-install-recommends ${packages[*]}" > "$bare/install.log" || { cat "$bare/install.log"; exit 1; }
 
