@@ -24,6 +24,8 @@ struct LoadedRecordings {
     std::vector<diagnosis::Observation> observations;
     std::vector<std::vector<std::string>> faults;             ///< per observation
     std::vector<std::vector<std::string>> channels_not_used;  ///< per observation
+    std::vector<bool> irregularity_measured;                  ///< per observation
+    std::vector<recordings::MeasuredIrregularity> irregularity;
 
     void add(const diagnosis::Observation& observation, std::vector<std::string> own_faults, std::vector<std::string> not_used) {
         observations.push_back(observation);
@@ -58,6 +60,8 @@ LoadedRecordings load_recordings(const DiagnosisRequest& request, const CaseFile
         const recordings::Recording recording = load_recording(description);
         if (!data_files.insert(std::filesystem::weakly_canonical(recording.file).string()).second)
             throw InputError(fmt::format("{}: the same data file twice would count its evidence twice\nallowed: data of its own for each recording", path));
+        loaded.irregularity_measured.push_back(recording.irregularity.brought());
+        if (recording.irregularity.brought()) loaded.irregularity.push_back(recording.irregularity);
         const diagnosis::ObservationOptions options{.window_s = request.window_s, .held_out_share = request.held_out};
         const bool series = recording.description.kind == recordings::RecordingKind::timeseries;
         const auto observation = reading_data(description, [&] {
@@ -85,8 +89,9 @@ LoadedRecordings load_recordings(const DiagnosisRequest& request, const CaseFile
 diagnosis::Diagnosis run_diagnosis(const CaseFile& file, const DiagnosisRequest& request, const DiagnosisObserver& observer,
                                    const std::function<void()>& ready) {
     check_distinct(request);
-    const diagnosis::BelievedCase believed = believed_case(file);
+    diagnosis::BelievedCase believed = believed_case(file);
     const LoadedRecordings loaded = load_recordings(request, file, believed);
+    believed.measured_irregularity = loaded.irregularity;
     ready();
     diagnosis::DiagnoseOptions options{.threads = request.threads};
     options.naming.most_effects = request.most_effects;
@@ -95,6 +100,7 @@ diagnosis::Diagnosis run_diagnosis(const CaseFile& file, const DiagnosisRequest&
     diagnosis::Diagnosis result = diagnosis::diagnose(believed, loaded.observations, options);
     for (std::size_t o = 0; o < result.recordings.size(); ++o) {
         result.recordings[o].faults = loaded.faults[o];
+        result.recordings[o].irregularity_measured = loaded.irregularity_measured[o];
         result.recordings[o].channels_not_used = loaded.channels_not_used[o];
     }
     return result;
@@ -111,7 +117,11 @@ void write_diagnosis(OutputFolder& folder, const diagnosis::Diagnosis& result, c
 std::string command_of(const DiagnosisRequest& request, const std::string& folder) {
     std::string text = "railpem diagnose " + request.case_path;
     for (const std::string& path : request.recordings) text += " " + path;
-    for (const std::string& option : request.set) text += " --set " + option;
+    for (const std::string& option : request.set) text += " --set '" + option + "'";
+    const DiagnosisRequest usual;
+    if (request.window_s != usual.window_s) text += fmt::format(" --window {:g}", request.window_s);
+    if (request.held_out != usual.held_out) text += fmt::format(" --held-out {:g}", request.held_out);
+    if (request.most_effects != usual.most_effects) text += fmt::format(" --most-effects {}", request.most_effects);
     return text + " --out " + folder;
 }
 

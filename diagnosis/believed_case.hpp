@@ -8,6 +8,7 @@
 #include "diagnosis/effects/element.hpp"
 #include "parameters/field.hpp"
 #include "pem/case_parameters.hpp"
+#include "recordings/measured_irregularity.hpp"
 
 namespace railpem::diagnosis {
 
@@ -27,6 +28,7 @@ struct BelievedCase {
     std::vector<EffectInstance> effects;  ///< stated by the case
     ParameterAccess access;
     std::vector<BelievedNumber> uncertain;  ///< those with a tolerance
+    std::vector<recordings::MeasuredIrregularity> measured_irregularity;  ///< of the section that was run over, where recordings bring one
 };
 
 }  // namespace railpem::diagnosis

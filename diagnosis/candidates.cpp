@@ -151,14 +151,14 @@ constexpr double kProbe = 1e-6;  ///< of the range: second order stays below the
 
 /// Effects that add power of their own, or replace something: their first derivative at nothing says nothing.
 bool adds_power(const EffectInstance& instance) {
-    for (const char* id : {"wheel-out-of-roundness", "rail-corrugation", "rail-joints", "sensor-noise", "failed-fasteners", "pad-hysteresis"})
+    for (const char* id : {"wheel-out-of-roundness", "rail-corrugation", "rail-joints", "sensor-noise", "failed-fasteners", "pad-hysteresis", "suspension-friction"})
         if (instance.effect == id) return true;
     return instance.effect == "sensor-gain" && instance.values.at("gain") < 0.0;
 }
 
 /// Its square is the power that an effect adds.
 bool is_amplitude(const EffectParameter& parameter) {
-    return parameter.strength && (parameter.name == "amplitude_m" || parameter.name == "rms_m" || parameter.name == "depth_m" || parameter.name == "rms_m_per_s2");
+    return parameter.strength && (parameter.name == "amplitude_m" || parameter.name == "rms_m" || parameter.name == "depth_m" || parameter.name == "rms_m_per_s2" || parameter.name == "force_n");
 }
 
 /// A strength `steps` probes away from nothing.
@@ -167,6 +167,14 @@ double near_nothing(const EffectParameter& parameter, double steps) {
     const double towards = parameter.nothing >= parameter.high ? parameter.low - parameter.nothing : parameter.high - parameter.nothing;
     return parameter.nothing + kProbe * steps * towards;
 }
+
+}  // namespace
+
+bool is_switch(const Effect& effect) {
+    return !effect.parameters.empty() && std::none_of(effect.parameters.begin(), effect.parameters.end(), [](const EffectParameter& parameter) { return parameter.strength; });
+}
+
+namespace {
 
 EffectInstance probe_of(const Effect& effect, EffectInstance instance) {
     if (adds_power(instance)) return instance;
@@ -205,7 +213,6 @@ CandidateList candidates(const BelievedCase& believed, const Trial& trial, const
         for (EffectInstance& instance : variants)
             list.candidates.push_back({.instance = instance,
                                        .probe = probe_of(effect, instance),
-                                       .replaces = effect.id == "pad-hysteresis",
                                        .two_sided = is_two_sided(effect),
                                        .log_prior = -std::log(static_cast<double>(effects().size() * places.size()))});
     }

@@ -12,7 +12,6 @@ namespace railpem::diagnosis {
 struct Candidate {
     EffectInstance instance;  ///< where a fit starts
     EffectInstance probe;     ///< where screening looks: all but nothing, or `instance` where strength adds power
-    bool replaces = false;        ///< it takes the place of a law of the case, so that no derivative at vanishing strength speaks for it
     bool two_sided = false;       ///< the opposite sign of the strength is as believable
     double log_prior = 0.0;       ///< of this variant: the effect's, shared among its variants
 };
@@ -27,6 +26,9 @@ struct CandidateList {
     std::vector<Candidate> candidates;
     std::vector<NotTested> not_tested;
 };
+
+/// Whether no parameter of the physics is a strength: it is there or not, and a derivative at nothing has nothing to say.
+bool is_switch(const Effect& effect);
 
 /// All variants of all effects that the case allows and the recordings could show: each wheel and order whose line lies
 /// in the band, each channel, each stage, and a grid over parameters that are no strength (frequencies, wavelengths).

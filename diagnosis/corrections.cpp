@@ -22,8 +22,10 @@ lanes::FactorCurve& curve_of(pem::CaseParameters& parameters, const CorrectionPl
         case Element::secondary: return parameters.vehicle.secondary.correction;
         case Element::primary: return parameters.vehicle.primary.correction;
         case Element::body: return parameters.vehicle.body_correction;
-        case Element::bogie: return parameters.vehicle.bogie_correction;
-        case Element::wheel: return parameters.vehicle.wheel_correction;
+        case Element::bogie:
+            return place.which == 0 ? parameters.vehicle.bogie_correction : parameters.vehicle.one_bogie_correction[static_cast<std::size_t>(place.which - 1)];
+        case Element::wheel:
+            return place.which == 0 ? parameters.vehicle.wheel_correction : parameters.vehicle.one_wheelset_correction[static_cast<std::size_t>(place.which - 1)];
         case Element::contact: return parameters.contact.correction;
         case Element::rail: return parameters.track.rail.correction;
         case Element::pad: return parameters.track.pads.correction;
@@ -44,9 +46,9 @@ std::string channel_name(std::size_t response) {
 }
 
 Unknown structure_unknown(const CorrectionPlace& place, const std::vector<double>& nodes, std::size_t node, bool imaginary) {
+    const std::string where = !place.channel.empty() ? place.channel : element_name(place.element) + (place.which == 0 ? "" : fmt::format(" {}", place.which));
     return {.kind = UnknownKind::correction,
-            .name = fmt::format("correction of {} at {:.3g} Hz, {}", place.channel.empty() ? element_name(place.element) : place.channel,
-                                nodes[node], imaginary ? "imaginary" : "real"),
+            .name = fmt::format("correction of {} at {:.3g} Hz, {}", where, nodes[node], imaginary ? "imaginary" : "real"),
             .deviation = kDeviation,
             .low = imaginary ? -5.0 : -0.95,
             .high = 5.0,
@@ -83,6 +85,12 @@ Unknown spectrum_unknown(const std::vector<double>& nodes, std::size_t node) {
 
 }  // namespace
 
+const lanes::FactorCurve& correction_at(const pem::CaseParameters& parameters, const CorrectionPlace& place) {
+    static const lanes::FactorCurve none;
+    if (place.element == Element::irregularity || place.element == Element::sensor) return none;
+    return curve_of(const_cast<pem::CaseParameters&>(parameters), place);  // adds nothing but for a sensor
+}
+
 std::vector<double> correction_nodes(const std::vector<Observation>& observations) {
     double low = 1e300, high = 0.0;
     for (const Observation& observation : observations) {
@@ -100,7 +108,8 @@ std::vector<CorrectionPlace> correction_places(const BelievedCase& believed, con
                                   Element::rail, Element::pad, Element::support, Element::irregularity}) {
         if (std::none_of(observations.begin(), observations.end(), [&](const Observation& own) { return reaches(own, element); })) continue;
         if (element == Element::support && believed.numbers.track.support.model == track::SupportModel::rigid) continue;
-        places.push_back({.element = element, .channel = {}});
+        const int count = element == Element::bogie ? 2 : element == Element::wheel ? 4 : 0;
+        for (int which = 0; which <= count; ++which) places.push_back({.element = element, .channel = {}, .which = which});
     }
     std::set<std::string> channels;
     for (const Observation& observation : observations)

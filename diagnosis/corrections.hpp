@@ -14,7 +14,11 @@ namespace railpem::diagnosis {
 struct CorrectionPlace {
     Element element = Element::body;
     std::string channel;  ///< sensor only: as the effects call it
+    int which = 0;        ///< bogie and wheel only: that one alone, numbered from the front; 0: all of them
 };
+
+/// The free correction of a place in a case; empty when it has none.
+const lanes::FactorCurve& correction_at(const pem::CaseParameters& parameters, const CorrectionPlace& place);
 
 /// Places of the case that the recordings could speak of.
 std::vector<CorrectionPlace> correction_places(const BelievedCase& believed, const std::vector<Observation>& observations);

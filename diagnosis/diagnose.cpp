@@ -42,6 +42,7 @@ class Diagnosing {
             result_.statement = "Interrupted before the case was retuned: nothing is known.";
             return std::move(result_);
         }
+        if (drop_superfluous(naming_, options_.thresholds)) naming_.left_by_best.clear();  // it was of a set that is gone
         study_places();
         const Decision decision = decide(naming_, study_, options_.thresholds);
         say("refitting on everything", 0.92);
@@ -295,7 +296,7 @@ class Diagnosing {
         for (const FittedSet& set : study_.anonymous) {
             const Element element = set.anonymous.front().element;
             if (element == Element::irregularity || element == Element::sensor) continue;
-            InferredCurve curve = inferred_curve(set.fit, element, believed_, observations_);
+            InferredCurve curve = inferred_curve(set.fit, set.anonymous.front(), believed_, observations_);
             curve.retuned = law_of(retuned_.fit, curve, believed_, observations_);
             curve.diagnosed = law_of(named_.fit, curve, believed_, observations_);
             result_.curves.push_back(std::move(curve));

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <string>
 
+#include "diagnosis/friction_spectra.hpp"
 #include "diagnosis/kernel_smoothing.hpp"
 #include "pem/excitation.hpp"
 #include "pem/linearise.hpp"
@@ -201,6 +202,12 @@ void add_lines(const pem::CaseParameters& parameters, const pem::WheelTransfers&
     }
 }
 
+/// Where a similar case's friction settled, linearising begins.
+void start_near(const vehicle::FrictionDamping& known, const pem::CaseParameters& parameters, pem::CoupledModel& model) {
+    if (parameters.vehicle.primary.friction_force_n > 0.0) model.car.friction.primary = known.primary;
+    if (parameters.vehicle.secondary.friction_force_n > 0.0) model.car.friction.secondary = known.secondary;
+}
+
 /// Noise that the case says its sensors add.
 void add_sensor_noise(const pem::CaseParameters& parameters, const std::vector<ObservedChannel>& channels, double bin_hz,
                       ExpectedSpectra& expected) {
@@ -248,15 +255,27 @@ ExpectedSpectra expected_spectra(const pem::CaseParameters& parameters, double s
     const std::vector<double> wheels = vehicle::wheel_positions(parameters.vehicle);
     const FineGrid grid = fine_grid(kernel, expected.first_bin, bins, options.oversampling);
     pem::WheelTransfers own;
+    if (has_friction(parameters) && reuse == Reuse::transfers) reuse = Reuse::rail;  // its forces are no transfer
     if (reuse != Reuse::transfers) {
         pem::CoupledModel model = pem::coupled_model(parameters, speed);
-        if (pem::is_nonlinear(parameters)) pem::linearise(parameters, pem::excitation_sources(parameters, wheels, speed), model);
+        std::vector<pem::Source> sources;
+        std::vector<pem::RailGroup> level_rails;
+        if (pem::is_nonlinear(parameters)) {
+            sources = pem::excitation_sources(parameters, wheels, speed);
+            level_rails = reuse == Reuse::rail && !known->level_rails.empty() ? known->level_rails : pem::linearisation_rails(parameters, model);
+            if (known) start_near(known->friction, parameters, model);
+            pem::linearise(parameters, sources, model, &level_rails);
+        }
         std::vector<pem::RailGroup> rails;
         const bool same_grid = reuse == Reuse::rail && known->transfers.lines == transfer_grid(parameters, grid, options).lines;
         if (same_grid) rails = known->rails;
         else rails = channel_rails(parameters, model, grid, options);
         own = channel_transfers(parameters, model, channels, grid, options, &rails);
-        if (filled) *filled = {std::move(rails), own, pem::track_excitation(parameters, wheels, speed)};
+        if (has_friction(parameters)) {
+            const TransferGrid lines = transfer_grid(parameters, grid, options);
+            add_friction(parameters, {model, sources, level_rails, rails, lines.from_hz, lines.step_hz, lines.lines}, channels, bin, expected);
+        }
+        if (filled) *filled = {std::move(rails), std::move(level_rails), own, pem::track_excitation(parameters, wheels, speed), model.car.friction};
     }
     // With the rail the track and its speed are those of the cache; pads that stiffen under load do not share it.
     const pem::TrackExcitation* track = filled ? &filled->track : reuse != Reuse::nothing ? &known->track : nullptr;

@@ -58,9 +58,10 @@ recordings::KernelWeights expectation_weights(const recordings::WindowKernel& ke
 
 /// What one expectation leaves for others that differ from it only in part.
 struct ExpectationCache {
-    std::vector<pem::RailGroup> rails;
+    std::vector<pem::RailGroup> rails, level_rails;  ///< on the lines of the transfers, and on those of pem::linearise()
     pem::WheelTransfers transfers;
     pem::TrackExcitation track;
+    vehicle::FrictionDamping friction;               ///< as linearised: where the next linearisation starts
 };
 
 /// What may be taken from the cache: nothing, the rail (track and speed are the same) or all transfers (only the

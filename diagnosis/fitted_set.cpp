@@ -48,6 +48,20 @@ void add_member(const Candidate& member, const Fit& near, Supposition& own) {
 
 }  // namespace
 
+double nats_beyond_range(const FittedSet& set) {
+    double most = 0.0;
+    for (std::size_t u = 0; u < set.fit.unknowns.size(); ++u) {
+        const Unknown& unknown = set.fit.unknowns[u];
+        if (unknown.kind != UnknownKind::effect) continue;
+        const double slope = set.fit.gradient(static_cast<long>(u)), x = set.fit.values[u];
+        if ((x >= unknown.high && slope > 0.0) || (x <= unknown.low && slope < 0.0)) {
+            const double deviation = set.fit.deviation(u);
+            most = std::max(most, 0.5 * slope * slope * deviation * deviation);
+        }
+    }
+    return most;
+}
+
 double part_log_likelihood(const Fit& fit, const LikelihoodContext& context, Part part) {
     LikelihoodContext other = context;
     other.part = part;

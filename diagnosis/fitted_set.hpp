@@ -43,6 +43,10 @@ FittedSet fit_set(const BelievedCase& believed, const Fit& near, std::vector<Can
 /// Fits the free correction of a place from where its promise at `near` leads.
 FittedSet fit_correction(const BelievedCase& believed, const Fit& near, const LocatedEvidence& located, const LikelihoodContext& context, const FitOptions& options);
 
+/// Nats that a set would gain, to second order, if one parameter of its effects could leave the range in which its physics is believed: a
+/// fit that leans on such a bound says that the physics is another. 0 when all lie inside.
+double nats_beyond_range(const FittedSet& set);
+
 /// Log-likelihood of a part at a fit's values.
 double part_log_likelihood(const Fit& fit, const LikelihoodContext& context, Part part);
 

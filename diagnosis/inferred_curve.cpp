@@ -27,24 +27,8 @@ Complex suspension(vehicle::SuspensionParameters law, double omega) {
     return vehicle::suspension_stiffness(law, 0.0, lanes::broadcast(omega))[0];
 }
 
-const lanes::FactorCurve& correction_of(const pem::CaseParameters& parameters, Element element) {
-    static const lanes::FactorCurve none;
-    switch (element) {
-        case Element::secondary: return parameters.vehicle.secondary.correction;
-        case Element::primary: return parameters.vehicle.primary.correction;
-        case Element::body: return parameters.vehicle.body_correction;
-        case Element::bogie: return parameters.vehicle.bogie_correction;
-        case Element::wheel: return parameters.vehicle.wheel_correction;
-        case Element::contact: return parameters.contact.correction;
-        case Element::rail: return parameters.track.rail.correction;
-        case Element::pad: return parameters.track.pads.correction;
-        case Element::support: return parameters.track.support.correction;
-        default: return none;
-    }
-}
-
-Complex corrected(const pem::CaseParameters& parameters, Element element, double frequency) {
-    return place_law(parameters, element, frequency).value() * correction_of(parameters, element).at(2.0 * std::numbers::pi * frequency);
+Complex corrected(const pem::CaseParameters& parameters, const CorrectionPlace& place, double frequency) {
+    return place_law(parameters, place.element, frequency).value() * correction_at(parameters, place).at(2.0 * std::numbers::pi * frequency);
 }
 
 bool moves_law(const Unknown& unknown) {
@@ -52,7 +36,7 @@ bool moves_law(const Unknown& unknown) {
 }
 
 /// Derivatives of the corrected law at every frequency with the unknowns that move it: [unknown][frequency].
-std::vector<std::vector<Complex>> law_slopes(const Fit& fit, Element element, const std::vector<double>& frequencies, const BelievedCase& believed,
+std::vector<std::vector<Complex>> law_slopes(const Fit& fit, const CorrectionPlace& place, const std::vector<double>& frequencies, const BelievedCase& believed,
                                              const Observation& observation) {
     std::vector<std::vector<Complex>> slopes(fit.unknowns.size());
     const pem::CaseParameters at = case_of(fit.trial, believed, observation);
@@ -62,7 +46,7 @@ std::vector<std::vector<Complex>> law_slopes(const Fit& fit, Element element, co
         const double step = 1e-5;
         fit.unknowns[u].set(moved, fit.values[u] + step);
         const pem::CaseParameters with = case_of(moved, believed, observation);
-        for (const double f : frequencies) slopes[u].push_back((corrected(with, element, f) - corrected(at, element, f)) / step);
+        for (const double f : frequencies) slopes[u].push_back((corrected(with, place, f) - corrected(at, place, f)) / step);
     }
     return slopes;
 }
@@ -92,7 +76,8 @@ std::optional<Complex> place_law(const pem::CaseParameters& parameters, Element 
     return std::nullopt;
 }
 
-InferredCurve inferred_curve(const Fit& anonymous, Element element, const BelievedCase& believed, const std::vector<Observation>& observations) {
+InferredCurve inferred_curve(const Fit& anonymous, const CorrectionPlace& place, const BelievedCase& believed, const std::vector<Observation>& observations) {
+    const Element element = place.element;
     InferredCurve curve{.element = element};
     const bool is_mass = element == Element::body || element == Element::bogie || element == Element::wheel;
     curve.unit = is_mass ? "kg" : element == Element::rail ? "kg/m" : "N/m";
@@ -104,9 +89,9 @@ InferredCurve inferred_curve(const Fit& anonymous, Element element, const Believ
     for (int i = 0; i < kPoints; ++i) curve.frequency_hz.push_back(low * std::pow(high / low, static_cast<double>(i) / (kPoints - 1)));
     const Observation& any = observations.front();
     const pem::CaseParameters parameters = case_of(anonymous.trial, believed, any);
-    const std::vector<std::vector<Complex>> slopes = law_slopes(anonymous, element, curve.frequency_hz, believed, any);
+    const std::vector<std::vector<Complex>> slopes = law_slopes(anonymous, place, curve.frequency_hz, believed, any);
     for (std::size_t i = 0; i < curve.frequency_hz.size(); ++i) {
-        const Complex value = corrected(parameters, element, curve.frequency_hz[i]);
+        const Complex value = corrected(parameters, place, curve.frequency_hz[i]);
         double real = 0.0, imaginary = 0.0;
         for (std::size_t a = 0; a < slopes.size(); ++a)
             for (std::size_t b = 0; b < slopes.size(); ++b) {

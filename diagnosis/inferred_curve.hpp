@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "diagnosis/believed_case.hpp"
+#include "diagnosis/corrections.hpp"
 #include "diagnosis/diagnosis.hpp"
 #include "diagnosis/fit.hpp"
 
@@ -14,7 +15,7 @@ namespace railpem::diagnosis {
 std::optional<std::complex<double>> place_law(const pem::CaseParameters& parameters, Element element, double frequency_hz);
 
 /// Law times free correction from a fit that has one at this place, with its 90 % band from the joint covariance.
-InferredCurve inferred_curve(const Fit& anonymous, Element element, const BelievedCase& believed, const std::vector<Observation>& observations);
+InferredCurve inferred_curve(const Fit& anonymous, const CorrectionPlace& place, const BelievedCase& believed, const std::vector<Observation>& observations);
 
 /// The law of a fit on the frequencies of a curve.
 std::vector<std::complex<double>> law_of(const Fit& fit, const InferredCurve& curve, const BelievedCase& believed, const std::vector<Observation>& observations);

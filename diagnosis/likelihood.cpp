@@ -94,17 +94,18 @@ LikelihoodSlope chunk_slope(const Chunk& chunk, const Trial& trial, const std::v
     WhitenedColumns columns(size, own.size(), own.derivatives.size());
     LikelihoodSlope slope;
     std::vector<double> diagonal(size);
+    WhitenedBin white;
     for (std::size_t bin = chunk.first; bin < chunk.first + chunk.count; ++bin) {
-        const WhitenedBin white = whiten(trial, observation, o, predictions[o], data, bin, context.least_floor);
+        whiten(trial, observation, o, predictions[o], data, bin, context.least_floor, white);
         slope.log_likelihood += data.averages * white.log_likelihood;
         if (!std::isfinite(white.log_likelihood)) continue;
         for (std::size_t c = 0; c < size; ++c)  // the floor grows with the prediction
             diagonal[c] = 1.0 + floor_of(trial, observation.channels[c].response, observation.frequency(bin), context.least_floor);
-        columns.begin(white.inverse_factor.data(), white.amplification);
+        columns.begin(white.inverse_factor, white.amplification);
         for (std::size_t d = 0; d < own.derivatives.size(); ++d) columns.set(d, &own.derivatives[d]->values[bin * size * size], diagonal.data());
         columns.whiten();
         add_diagonal_columns(trial, unknowns, own, observation, o, predictions[o], bin, white.amplification, columns);
-        columns.end(white.residual.data(), white.scale.data(), white.projection);
+        columns.end(white.residual, white.scale, white.projection);
     }
     const long count = static_cast<long>(own.size());
     Eigen::VectorXd gradient = Eigen::VectorXd::Zero(count);
@@ -207,9 +208,11 @@ double log_likelihood(const Trial& trial, const Predictions& predictions, const 
     for (std::size_t i = 0; i < chunks.size(); ++i) {
         const Chunk& chunk = chunks[i];
         const MeasuredSpectra& data = measured(observations[chunk.observation], context.part);
-        for (std::size_t bin = chunk.first; bin < chunk.first + chunk.count; ++bin)
-            sums[i] += data.averages * whiten(trial, observations[chunk.observation], chunk.observation,
-                                              predictions[chunk.observation], data, bin, context.least_floor).log_likelihood;
+        WhitenedBin white;
+        for (std::size_t bin = chunk.first; bin < chunk.first + chunk.count; ++bin) {
+            whiten(trial, observations[chunk.observation], chunk.observation, predictions[chunk.observation], data, bin, context.least_floor, white);
+            sums[i] += data.averages * white.log_likelihood;
+        }
     }
     double sum = scalar_log_likelihood(trial, predictions, context);
     for (const double own : sums) sum += own;

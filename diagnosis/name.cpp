@@ -274,10 +274,21 @@ class Search {
             return element_of(*find_effect(instance.effect), instance);
         };
         for (const Promise& promise : result_.first_promises) {
-            if (!result_.candidates[promise.candidate].replaces) continue;
+            if (!find_effect(result_.candidates[promise.candidate].instance.effect)->replaces) continue;
             const bool there = std::any_of(chosen.begin(), chosen.end(), [&](const Starts& own) { return own.front().candidate == promise.candidate; });
             const bool wanted = std::any_of(chosen.begin(), chosen.end(), [&](const Starts& own) { return element(own.front()) == element(promise); });
             if (wanted && !there) chosen.push_back({promise});
+        }
+    }
+
+    /// Effects that no derivative at nothing can promise are tried beside every set of something else.
+    void add_unpromised(const std::vector<Promise>& promises, std::vector<Starts>& chosen) const {
+        for (const Promise& promise : promises) {
+            const EffectInstance& instance = result_.candidates[promise.candidate].instance;
+            const Effect& effect = *find_effect(instance.effect);
+            if (!effect.replaces && !is_switch(effect)) continue;
+            const auto same = [&](const Starts& own) { return same_variant(result_.candidates[own.front().candidate].instance, instance); };
+            if (std::none_of(chosen.begin(), chosen.end(), same)) chosen.push_back({promise});
         }
     }
 
@@ -313,6 +324,8 @@ class Search {
         };
         std::erase_if(chosen, is_member);
         if (static_cast<int>(chosen.size()) > options_.later_refits) chosen.erase(chosen.begin() + options_.later_refits, chosen.end());
+        add_unpromised(promises, chosen);
+        std::erase_if(chosen, is_member);
         Candidate winner;
         double highest = -1e300;
         for (const Starts& starts : chosen) {

@@ -110,6 +110,9 @@ Observation observe(const recordings::Recording& recording, const std::string& n
     if (observation.channels.empty())
         throw parameters::ParameterError("channel", "none of the channels is a response that the case has",
                                          "channels on body centre, body over the pivots, bogies, wheels or rail");
+    if (observation.channels.size() > static_cast<std::size_t>(kMostChannels))
+        throw parameters::ParameterError("channel", fmt::format("{} channels are responses of the case", observation.channels.size()),
+                                         fmt::format("at most {} of them in a recording", kMostChannels));
     set_band(observation, all.kernel(), believed, options);
     const std::size_t bins = band_bins(observation);
     const auto part = [&](double from, double to) {

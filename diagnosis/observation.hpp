@@ -43,6 +43,8 @@ struct Observation {
     double frequency(std::size_t bin) const { return static_cast<double>(first_bin() + bin) * kernel.bin_hz(); }
 };
 
+inline constexpr int kMostChannels = 16;  ///< of a recording that the likelihood takes: its matrices live in registers and on the stack
+
 /// How a recording is turned into spectra.
 struct ObservationOptions {
     double window_s = 4.0;          ///< long windows see finer differences; shorter ones forgive (diagnosis README)
@@ -64,7 +66,7 @@ std::size_t band_bins(const Observation& observation);
 void set_log_determinants(MeasuredSpectra& measured, std::size_t channels, double averages);
 
 /// Prepares a time series. The band is cut to where the believed irregularity excites at this speed.
-/// Throws parameters::ParameterError when no channel is one that the case has, or no usable band is left.
+/// Throws parameters::ParameterError when no channel is one that the case has, more than kMostChannels are, or no usable band is left.
 Observation observe(const recordings::Recording& recording, const std::string& name,
                     const pem::CaseParameters& believed, const ObservationOptions& options);
 

@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "diagnosis/measured_irregularity.hpp"
 #include "diagnosis/shows.hpp"
 #include "pem/contact.hpp"
 #include "pem/solution.hpp"
@@ -17,6 +18,7 @@ namespace {
 constexpr double kNodesPerOctave = 2.0;         ///< of the irregularity's nuisance: wavelengths that a structure cannot imitate
 constexpr double kIrregularityDeviation = 0.35;  ///< of a node, in log power: 1.5 dB, the scatter between sections of a line
 constexpr double kLevelDeviation = 0.35;        ///< of all nodes together
+constexpr double kMeasuredLevelDeviation = 1e-3; ///< where the nodes are measured they carry the level
 constexpr double kPassingDeviation = 0.10;      ///< of the amplitude of sleeper passing computed from the case
 constexpr double kNoiseDeviation = 3.0;         ///< in log power: known to a factor of 20
 constexpr double kFloorMean = -7.6;             ///< log of 5e-4: what two sound simulators differ by
@@ -43,10 +45,13 @@ std::vector<double> spline_wavelengths(const std::vector<Observation>& observati
 void add_irregularity(const BelievedCase& believed, const std::vector<Observation>& observations, std::vector<Unknown>& unknowns) {
     const std::vector<double> nodes = spline_wavelengths(observations);
     if (nodes.empty()) return;  // a track without a vehicle does not feel it
+    const std::vector<NodeBelief> beliefs = node_beliefs(believed.numbers.irregularity, believed.measured_irregularity, nodes);
+    const bool any_measured = std::any_of(beliefs.begin(), beliefs.end(), [](const NodeBelief& belief) { return belief.measured; });
     for (std::size_t i = 0; i < nodes.size(); ++i)
         unknowns.push_back({.kind = UnknownKind::irregularity,
                             .name = fmt::format("irregularity at {:.2g} m", nodes[i]),
-                            .deviation = kIrregularityDeviation,
+                            .mean = beliefs[i].measured ? beliefs[i].mean : 0.0,
+                            .deviation = beliefs[i].measured ? beliefs[i].deviation : kIrregularityDeviation,
                             .low = -4.0,
                             .high = 4.0,
                             .step = 1e-5,
@@ -61,7 +66,7 @@ void add_irregularity(const BelievedCase& believed, const std::vector<Observatio
                             }});
     unknowns.push_back({.kind = UnknownKind::irregularity,
                         .name = "irregularity level",
-                        .deviation = kLevelDeviation,
+                        .deviation = any_measured ? kMeasuredLevelDeviation : kLevelDeviation,
                         .low = -4.0,
                         .high = 4.0,
                         .step = 1e-5,

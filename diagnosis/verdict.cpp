@@ -30,30 +30,27 @@ bool contains(const FittedSet& larger, const FittedSet& smaller) {
     return std::all_of(smaller.effects.begin(), smaller.effects.end(), has) && std::all_of(smaller.released.begin(), smaller.released.end(), released);
 }
 
-/// A smaller set says what a larger one says, unless the larger one gains and what no fit has seen agrees.
+constexpr double kHeldOutChance = 2.0;  ///< nats by which the unseen part may speak against a belief that was only given up: the retuned
+                                        ///< case sits at nearly the same value, so that the sign of so small a difference is chance
+
+/// The unseen part speaks against what `larger` adds.
+bool unseen_disagrees(const FittedSet& smaller, const FittedSet& larger) {
+    const bool only_released = larger.effects.size() == smaller.effects.size();
+    return larger.held_out < smaller.held_out - (only_released ? kHeldOutChance : 0.0);
+}
+
+constexpr double kLeaning = 2.0;  ///< nats that a set may gain beyond the range of its physics by chance: two deviations
+
+bool leans(const FittedSet& set) { return nats_beyond_range(set) > kLeaning; }
+
 bool says_as_much(const FittedSet& smaller, const FittedSet& larger, const VerdictThresholds& thresholds) {
     return smaller.members() < larger.members() && contains(larger, smaller) &&
-           (larger.score() < smaller.score() + thresholds.least_gain || larger.held_out < smaller.held_out);
+           (larger.score() < smaller.score() + thresholds.least_gain || unseen_disagrees(smaller, larger) || (leans(larger) && !leans(smaller)));
 }
 
-bool needs_less(const NamingResult& naming, const FittedSet& set, const VerdictThresholds& thresholds) {
-    return std::any_of(naming.sets.begin(), naming.sets.end(), [&](const FittedSet& own) { return says_as_much(own, set, thresholds); });
-}
-
-/// The best set without the members that it does not need.
-const FittedSet* simplest_of_the_best(const NamingResult& naming, const VerdictThresholds& thresholds) {
-    if (naming.sets.empty()) return nullptr;
-    const FittedSet* best = &naming.sets.front();
-    for (bool smaller = true; smaller;) {
-        smaller = false;
-        for (const FittedSet& set : naming.sets)
-            if (says_as_much(set, *best, thresholds)) {
-                best = &set;
-                smaller = true;
-                break;
-            }
-    }
-    return best;
+/// Nats that may be left beside a named set: chance, and what the named law's own form leaves of an effect that is large.
+double bearable_residual(const FittedSet& set, double nothing, const VerdictThresholds& thresholds) {
+    return std::max(thresholds.residual, thresholds.residual_share * (set.score() - nothing));
 }
 
 bool only_sensors(const FittedSet& set) {
@@ -77,21 +74,35 @@ std::vector<Element> elements_of(const FittedSet& set, const BelievedCase*) {
     return elements;
 }
 
+bool drop_superfluous(NamingResult& naming, const VerdictThresholds& thresholds) {
+    std::vector<FittedSet> kept;
+    bool first = false;
+    for (std::size_t i = 0; i < naming.sets.size(); ++i) {
+        const FittedSet& set = naming.sets[i];
+        const bool superfluous = unseen_disagrees(naming.retuned, set) ||
+                                 std::any_of(naming.sets.begin(), naming.sets.end(), [&](const FittedSet& own) { return says_as_much(own, set, thresholds); });
+        if (!superfluous) kept.push_back(set);
+        else first = first || i == 0;
+    }
+    naming.sets = std::move(kept);
+    return first;
+}
+
 Decision decide(const NamingResult& naming, const PlaceStudy& places, const VerdictThresholds& thresholds) {
     Decision decision;
     for (const FittedSet& set : places.anonymous) decision.unknown_score = std::max(decision.unknown_score, set.score());
     const double nothing = naming.retuned.score();
-    const FittedSet* best = simplest_of_the_best(naming, thresholds);
-    const bool gains = best && best->score() > nothing + thresholds.least_gain && best->held_out > naming.retuned.held_out;
+    const FittedSet* best = naming.sets.empty() ? nullptr : &naming.sets.front();
+    const bool gains = best && best->score() > nothing + thresholds.least_gain && !unseen_disagrees(naming.retuned, *best);
     if (gains) {
         decision.named = best;
         for (const FittedSet& set : naming.sets)
-            if (&set == best || (set.score() > best->score() - thresholds.credible && !contains(set, *best) && !needs_less(naming, set, thresholds)))
+            if (&set == best || (set.score() > best->score() - thresholds.credible && !contains(set, *best) && !leans(set)))
                 decision.credible.push_back(&set);
     }
     const double residual_named = places.at_named.empty() ? 0.0 : places.at_named.front().nats;
     const double residual_retuned = places.at_retuned.empty() ? 0.0 : places.at_retuned.front().nats;
-    if (gains && decision.unknown_score < best->score() + thresholds.anonymous && residual_named < thresholds.residual)
+    if (gains && decision.unknown_score < best->score() + thresholds.anonymous && residual_named < bearable_residual(*best, nothing, thresholds) && !leans(*best))
         decision.verdict = decision.credible.size() > 1 ? Verdict::ambiguous : only_sensors(*best) ? Verdict::recording_fault : Verdict::explained;
     else if (gains)
         decision.verdict = Verdict::unexplained;
@@ -166,10 +177,11 @@ std::string place_in_words(const Diagnosis& diagnosis) {
 }  // namespace
 
 std::string statement_of(const Diagnosis& diagnosis) {
-    const std::string gain = fmt::format("Per {} the misfit is {:.3g} nats after retuning and {:.3g} with it; on what no fit has seen {:.3g} and {:.3g}.",
-                                         diagnosis.per_value ? "value" : "second of record",
-                                         -diagnosis.retuned.log_likelihood_per_second, -diagnosis.after.log_likelihood_per_second,
-                                         -diagnosis.held_out_retuned.log_likelihood_per_second, -diagnosis.held_out_after.log_likelihood_per_second);
+    const std::string gain =
+        fmt::format("With it the recordings are more probable than after retuning alone by {:.3g} nats per {}, and what no fit has seen by {:.3g}.",
+                    diagnosis.after.log_likelihood_per_second - diagnosis.retuned.log_likelihood_per_second,
+                    diagnosis.per_value ? "value" : "second of record",
+                    diagnosis.held_out_after.log_likelihood_per_second - diagnosis.held_out_retuned.log_likelihood_per_second);
     switch (diagnosis.verdict) {
         case Verdict::consistent:
             return fmt::format("Nothing significant is missing: with its own numbers retuned within their tolerances the case explains the recordings "

@@ -1,9 +1,9 @@
 #include "diagnosis/whitened_bin.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace railpem::diagnosis {
 
@@ -11,105 +11,70 @@ namespace {
 
 constexpr int kSteps = 4;             ///< of Newton's method for s; Fisher's information is nearly exact
 constexpr double kLongestStep = 1.0;
-constexpr double kNear = 1e-4;        ///< of a step after which another changes nothing
+constexpr double kNear = 1e-3;        ///< a step that is not worth making: ½·n·r·s² is below a thousandth of a nat
 constexpr double kLeastExcess = 1e-6;
 
-/// The parts of S(s).
+/// The parts of S(s), and what was measured.
 struct Parts {
-    BinMatrix excited;            ///< prediction with floor
-    Eigen::Array<double, Eigen::Dynamic, 1, 0, kMostChannels, 1> noise;
+    std::size_t size = 0;
+    SplitMatrix excited;           ///< prediction with floor, lower triangle
+    SplitMatrix estimate;          ///< in full
+    double noise[kMostChannels];
+    double log_determinant = 0.0;  ///< of the estimate
 };
 
-Parts parts_of(const Trial& trial, const Observation& observation, std::size_t index, const ExpectedSpectra& prediction, std::size_t bin, double least_floor) {
-    const long size = static_cast<long>(prediction.channels);
-    Parts parts{.excited = complete_prediction(trial, observation, index, prediction, bin, least_floor), .noise = {}};
-    parts.noise.resize(size);
-    for (long c = 0; c < size; ++c) {
-        parts.noise(c) = trial.noise_psd[index][static_cast<std::size_t>(c)];
-        parts.excited(c, c) -= parts.noise(c);
+void split(const std::complex<double>* values, std::size_t size, SplitMatrix& matrix) {
+    set_zero(matrix, size);
+    for (std::size_t j = 0; j < size; ++j)
+        for (std::size_t i = 0; i < size; ++i) matrix.re[j][i] = values[j * size + i].real(), matrix.im[j][i] = values[j * size + i].imag();
+}
+
+Parts parts_of(const Trial& trial, const Observation& observation, std::size_t index, const ExpectedSpectra& prediction, const MeasuredSpectra& data,
+               std::size_t bin, double least_floor) {
+    Parts parts;
+    const std::size_t size = parts.size = prediction.channels, first = bin * size * size;
+    split(&prediction.values[first], size, parts.excited);
+    split(&data.values[first], size, parts.estimate);
+    parts.log_determinant = data.log_determinant[bin];
+    for (std::size_t c = 0; c < size; ++c) {
+        parts.noise[c] = trial.noise_psd[index][c];
+        parts.excited.re[c][c] *= 1.0 + floor_of(trial, observation.channels[c].response, observation.frequency(bin), least_floor);
+        parts.excited.im[c][c] = 0.0;
     }
     return parts;
 }
 
-/// A lower triangular matrix as numbers side by side: columns of real and of imaginary parts.
-struct Lower {
-    double re[kMostChannels][kMostChannels], im[kMostChannels][kMostChannels];  ///< [column][row]
-    explicit Lower(const BinMatrix& matrix) {
-        for (long j = 0; j < matrix.cols(); ++j)
-            for (long i = j; i < matrix.rows(); ++i) re[j][i] = matrix(i, j).real(), im[j][i] = matrix(i, j).imag();
-    }
-};
-
-/// L⁻¹HL⁻ᴴ of a Hermitian H, whose entries `h(row, column)` gives. Small matrices: what a general product spends on packing is more than this.
-template <class Hermitian>
-BinMatrix sandwiched(const Lower& inverse, long size, const Hermitian& h) {
-    double re[kMostChannels][kMostChannels], im[kMostChannels][kMostChannels];  // half = L⁻¹H, rows from its diagonal down
-    for (long k = 0; k < size; ++k) {
-        for (long i = k; i < size; ++i) re[k][i] = im[k][i] = 0.0;
-        for (long m = 0; m < size; ++m) {
-            const std::complex<double> own = h(m, k);
-            const double a = own.real(), b = own.imag();
-            for (long i = std::max(m, k); i < size; ++i) {
-                re[k][i] += inverse.re[m][i] * a - inverse.im[m][i] * b;
-                im[k][i] += inverse.re[m][i] * b + inverse.im[m][i] * a;
-            }
-        }
-    }
-    BinMatrix result(size, size);
-    for (long j = 0; j < size; ++j) {
-        double x[kMostChannels] = {}, y[kMostChannels] = {};
-        for (long k = 0; k <= j; ++k) {
-            const double a = inverse.re[k][j], b = -inverse.im[k][j];
-            for (long i = j; i < size; ++i) {
-                x[i] += re[k][i] * a - im[k][i] * b;
-                y[i] += re[k][i] * b + im[k][i] * a;
-            }
-        }
-        result(j, j) = x[j];
-        for (long i = j + 1; i < size; ++i) {
-            result(i, j) = {x[i], y[i]};
-            result(j, i) = {x[i], -y[i]};
-        }
-    }
-    return result;
-}
-
 /// Everything at one s but the projection.
-WhitenedBin whiten_at(const Parts& parts, const MeasuredSpectra& data, std::size_t bin, double s) {
-    const long size = parts.excited.rows();
-    WhitenedBin result{.inverse_factor = {}, .residual = {}, .scale = {}, .amplification = std::exp(s)};
-    BinMatrix model = result.amplification * parts.excited;
-    model.diagonal().array() += parts.noise.cast<std::complex<double>>();
-    const Eigen::LLT<BinMatrix> factor(model);
-    if (factor.info() != Eigen::Success) {
-        result.log_likelihood = -std::numeric_limits<double>::infinity();
-        return result;
-    }
-    result.inverse_factor = BinMatrix::Identity(size, size);
-    factor.matrixL().solveInPlace(result.inverse_factor);
-    const Eigen::Map<const Eigen::MatrixXcd> estimate(&data.values[bin * static_cast<std::size_t>(size * size)], size, size);
-    const Lower inverse(result.inverse_factor);
-    result.residual = sandwiched(inverse, size, [&](long i, long j) { return estimate(i, j); });
-    double log_determinant = 0.0;
-    for (long i = 0; i < size; ++i) log_determinant -= 2.0 * std::log(result.inverse_factor(i, i).real());
-    result.log_likelihood = -(log_determinant - data.log_determinant[bin] + result.residual.trace().real() - static_cast<double>(size));
-    result.residual.diagonal().array() -= 1.0;
-    // What is excited is S without noise: L⁻¹(S − N)L⁻ᴴ = 1 − L⁻¹NL⁻ᴴ.
-    result.scale.resize(size, size);
-    for (long j = 0; j < size; ++j)
-        for (long i = j; i < size; ++i) {
-            double x = i == j ? 1.0 : 0.0, y = 0.0;
-            for (long k = 0; k <= j; ++k) {
-                x -= parts.noise(k) * (inverse.re[k][i] * inverse.re[k][j] + inverse.im[k][i] * inverse.im[k][j]);
-                y -= parts.noise(k) * (inverse.im[k][i] * inverse.re[k][j] - inverse.re[k][i] * inverse.im[k][j]);
-            }
-            result.scale(i, j) = {x, y};
-            result.scale(j, i) = {x, -y};
+void whiten_at(const Parts& parts, double s, WhitenedBin& result) {
+    const std::size_t size = parts.size, rows = padded_rows(size);
+    result.amplification = std::exp(s);
+    SplitMatrix model;
+    for (std::size_t j = 0; j < size; ++j) {
+        for (std::size_t i = 0; i < rows; ++i) {
+            model.re[j][i] = result.amplification * parts.excited.re[j][i];
+            model.im[j][i] = result.amplification * parts.excited.im[j][i];
         }
-    return result;
+        model.re[j][j] += parts.noise[j];
+    }
+    const double log_determinant = invert_factor(model, size, result.inverse_factor);
+    if (std::isnan(log_determinant)) {
+        result.log_likelihood = -std::numeric_limits<double>::infinity();
+        return;
+    }
+    sandwich(result.inverse_factor, parts.estimate, size, result.residual);
+    sandwich_diagonal(result.inverse_factor, parts.noise, size, result.scale);
+    double trace = 0.0;
+    for (std::size_t j = 0; j < size; ++j) {
+        trace += result.residual.re[j][j];
+        result.residual.re[j][j] -= 1.0;
+        // What is excited is S without noise: L⁻¹(S − N)L⁻ᴴ = 1 − L⁻¹NL⁻ᴴ.
+        for (std::size_t i = j; i < size; ++i) {
+            result.scale.re[j][i] = (i == j ? 1.0 : 0.0) - result.scale.re[j][i];
+            result.scale.im[j][i] = -result.scale.im[j][i];
+        }
+    }
+    result.log_likelihood = -(log_determinant - parts.log_determinant + trace - static_cast<double>(size));
 }
-
-double trace_of(const BinMatrix& a, const BinMatrix& b) { return a.cwiseProduct(b.conjugate()).sum().real(); }
 
 }  // namespace
 
@@ -122,27 +87,29 @@ double floor_of(const Trial& trial, std::size_t response, double frequency_hz, d
     return own * own + least * least;
 }
 
-WhitenedBin whiten(const Trial& trial, const Observation& observation, std::size_t index, const ExpectedSpectra& prediction,
-                   const MeasuredSpectra& data, std::size_t bin, double least_floor) {
-    const Parts parts = parts_of(trial, observation, index, prediction, bin, least_floor);
-    WhitenedBin best = whiten_at(parts, data, bin, 0.0);
-    if (!std::isfinite(best.log_likelihood)) return best;
-    const double processes = trace_of(best.scale, best.scale);
-    if (processes < 1.0 + kLeastExcess) return best;
+void whiten(const Trial& trial, const Observation& observation, std::size_t index, const ExpectedSpectra& prediction,
+            const MeasuredSpectra& data, std::size_t bin, double least_floor, WhitenedBin& best) {
+    const Parts parts = parts_of(trial, observation, index, prediction, data, bin, least_floor);
+    best.projection = 0.0;
+    whiten_at(parts, 0.0, best);
+    if (!std::isfinite(best.log_likelihood)) return;
+    double processes = trace_of_product(best.scale, best.scale, parts.size);
+    if (processes < 1.0 + kLeastExcess) return;
     const double stiffness = processes / (processes - 1.0);  // 1/(v·n)
     double s = 0.0;
+    WhitenedBin next;
     for (int i = 0; i < kSteps; ++i) {
-        const double slope = trace_of(best.scale, best.residual) - stiffness * s;
-        const double step = std::clamp(slope / (trace_of(best.scale, best.scale) + stiffness), -kLongestStep, kLongestStep);
-        WhitenedBin next = whiten_at(parts, data, bin, s + step);
+        const double slope = trace_of_product(best.scale, best.residual, parts.size) - stiffness * s;
+        const double step = std::clamp(slope / (processes + stiffness), -kLongestStep, kLongestStep);
+        if (std::abs(step) < kNear) break;
+        whiten_at(parts, s + step, next);
         next.log_likelihood -= 0.5 * stiffness * (s + step) * (s + step);
         if (!(next.log_likelihood > best.log_likelihood)) break;
         s += step;
-        best = std::move(next);
-        if (std::abs(step) < kNear) break;
+        std::swap(best, next);
+        processes = trace_of_product(best.scale, best.scale, parts.size);
     }
-    best.projection = 1.0 / (trace_of(best.scale, best.scale) + stiffness);
-    return best;
+    best.projection = 1.0 / (processes + stiffness);
 }
 
 }  // namespace railpem::diagnosis

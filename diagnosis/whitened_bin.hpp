@@ -1,16 +1,10 @@
 #pragma once
 // One bin of an observation seen through a trial.
 
-#include <Eigen/Core>
-#include <complex>
-
 #include "diagnosis/likelihood.hpp"
+#include "diagnosis/split_matrix.hpp"
 
 namespace railpem::diagnosis {
-
-inline constexpr int kMostChannels = 16;
-/// Small enough to need no heap.
-using BinMatrix = Eigen::Matrix<std::complex<double>, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, kMostChannels, kMostChannels>;
 
 /// A bin, whitened with the trial's S(s) = e^s·(prediction + floor) + noise.
 ///
@@ -20,17 +14,18 @@ using BinMatrix = Eigen::Matrix<std::complex<double>, Eigen::Dynamic, Eigen::Dyn
 /// count it again. The logarithm s of the bin's power is therefore unknown by the variance v = (r − 1)/(r·n) that leaves n:
 /// 1/(1/(r·n) + v) = n. s is at its most probable value; `projection` takes what it explains out of the information.
 struct WhitenedBin {
-    BinMatrix inverse_factor;    ///< L⁻¹ of S(s) = LLᴴ
-    BinMatrix residual;          ///< L⁻¹ŜL⁻ᴴ − 1
-    BinMatrix scale;             ///< L⁻¹ ∂S/∂s L⁻ᴴ
+    SplitMatrix inverse_factor;  ///< L⁻¹ of S(s) = LLᴴ
+    SplitMatrix residual;        ///< L⁻¹ŜL⁻ᴴ − 1, lower triangle
+    SplitMatrix scale;           ///< L⁻¹ ∂S/∂s L⁻ᴴ, lower triangle
     double amplification = 1.0;  ///< e^s
     double projection = 0.0;     ///< c in 1 − c·aaᵀ, a the packed `scale`: (r − 1)/r², r = tr(scale²); 0 without excess
     double log_likelihood = 0.0; ///< per average, relative to the saturated model, −s²/(2vn) included; −∞ where S is not definite
 };
 
-/// `averages`: of the data in this bin.
-WhitenedBin whiten(const Trial& trial, const Observation& observation, std::size_t index, const ExpectedSpectra& prediction,
-                   const MeasuredSpectra& data, std::size_t bin, double least_floor);
+/// Whitens into `bin_seen`, which may be used again for the next bin: some kilobytes that need not be moved.
+void whiten(const Trial& trial, const Observation& observation, std::size_t index, const ExpectedSpectra& prediction,
+            const MeasuredSpectra& data, std::size_t bin, double least_floor,
+            WhitenedBin& bin_seen);
 
 /// Square of the floor's relative amplitude for a response, `least` added.
 double floor_of(const Trial& trial, std::size_t response, double frequency_hz, double least);

@@ -26,12 +26,12 @@ WhitenedColumns::WhitenedColumns(std::size_t channels, std::size_t unknowns, std
       gradient_(Eigen::VectorXd::Zero(static_cast<long>(stride_))),
       information_(Eigen::MatrixXd::Zero(static_cast<long>(stride_), static_cast<long>(stride_))) {}
 
-void WhitenedColumns::begin(const std::complex<double>* inverse_factor, double amplification) {
+void WhitenedColumns::begin(const SplitMatrix& inverse_factor, double amplification) {
     amplification_ = amplification;
     for (std::size_t i = 0; i < channels_; ++i)
         for (std::size_t j = 0; j <= i; ++j) {
-            inverse_re_[i * channels_ + j] = inverse_factor[j * channels_ + i].real();
-            inverse_im_[i * channels_ + j] = inverse_factor[j * channels_ + i].imag();
+            inverse_re_[i * channels_ + j] = inverse_factor.re[j][i];
+            inverse_im_[i * channels_ + j] = inverse_factor.im[j][i];
         }
     std::fill(re_.begin(), re_.end(), 0.0);
     std::fill(im_.begin(), im_.end(), 0.0);
@@ -99,16 +99,15 @@ void WhitenedColumns::add_diagonal(std::size_t unknown, std::size_t channel, dou
         }
 }
 
-void WhitenedColumns::pack(const std::complex<double>* hermitian, double* packed) const {
+void WhitenedColumns::pack(const SplitMatrix& hermitian, double* packed) const {
     for (std::size_t j = 0; j < channels_; ++j)
         for (std::size_t i = j; i < channels_; ++i) {
-            const std::complex<double> own = hermitian[j * channels_ + i];
-            *packed++ = i == j ? own.real() : std::numbers::sqrt2 * own.real();
-            if (i != j) *packed++ = std::numbers::sqrt2 * own.imag();
+            *packed++ = i == j ? hermitian.re[j][i] : std::numbers::sqrt2 * hermitian.re[j][i];
+            if (i != j) *packed++ = std::numbers::sqrt2 * hermitian.im[j][i];
         }
 }
 
-void WhitenedColumns::end(const std::complex<double>* residual, const std::complex<double>* scale, double projection) {
+void WhitenedColumns::end(const SplitMatrix& residual, const SplitMatrix& scale, double projection) {
     const long size = static_cast<long>(channels_ * channels_), first = static_cast<long>(bins_) * size;
     pack(residual, residual_.data() + first);
     if (projection > 0.0) {

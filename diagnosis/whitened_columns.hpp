@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "diagnosis/split_matrix.hpp"
+
 namespace railpem::diagnosis {
 
 /// Whitened derivatives A_u = L⁻¹ ∂_uS L⁻ᴴ of the bins of a chunk as rows of real numbers whose dot products over all rows are
@@ -17,7 +19,7 @@ class WhitenedColumns {
     WhitenedColumns(std::size_t channels, std::size_t unknowns, std::size_t dense);
 
     /// Begins a bin; `inverse_factor` is L⁻¹, lower triangular, column-major. What is set() is multiplied by `amplification`.
-    void begin(const std::complex<double>* inverse_factor, double amplification = 1.0);
+    void begin(const SplitMatrix& inverse_factor, double amplification = 1.0);
     /// The derivative of an unknown: Hermitian, column-major, its diagonal multiplied by `diagonal`.
     void set(std::size_t unknown, const std::complex<double>* derivative, const double* diagonal);
     /// Whitens everything that was set; the other unknowns have no derivative at this bin.
@@ -26,7 +28,7 @@ class WhitenedColumns {
     void add_diagonal(std::size_t unknown, std::size_t channel, double power);
     /// Ends a bin with its whitened residual, Hermitian, column-major. The information becomes Mᵀ(1 − projection·aaᵀ)M, a the packed
     /// `scale` (whitened_bin.hpp); the gradient stays.
-    void end(const std::complex<double>* residual, const std::complex<double>* scale, double projection);
+    void end(const SplitMatrix& residual, const SplitMatrix& scale, double projection);
 
     /// Σ over the bins so far, times `weight`, added to `gradient` and the lower triangle of `information`; begins anew.
     void accumulate(double weight, Eigen::VectorXd& gradient, Eigen::MatrixXd& information);
@@ -34,7 +36,7 @@ class WhitenedColumns {
   private:
     static constexpr std::size_t kBins = 4;  ///< of a block that stays in the cache
     using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-    void pack(const std::complex<double>* hermitian, double* packed) const;
+    void pack(const SplitMatrix& hermitian, double* packed) const;
     double* at(std::vector<double>& values, std::size_t i, std::size_t j) { return &values[(i * channels_ + j) * dense_]; }
     void flush();
 

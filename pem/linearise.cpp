@@ -6,6 +6,7 @@
 
 #include "pem/contact.hpp"
 #include "pem/solution.hpp"
+#include "pem/wheel_transfers.hpp"
 
 namespace railpem::pem {
 
@@ -44,16 +45,27 @@ struct UnchangedGroup {
     double step_hz = 0.0;
 };
 
-std::vector<UnchangedGroup> unchanged_groups(const CaseParameters& parameters, const std::vector<Source>& sources, const CoupledModel& model) {
-    const FrequencyParameters& grid = parameters.frequency;
-    const int lines = std::max(2, std::min(kMostLines, static_cast<int>((grid.to_hz - grid.from_hz) / grid.step_hz) + 1));
-    const double step = (grid.to_hz - grid.from_hz) / (lines - 1);
+/// The lines that the rms values come from.
+struct Lines {
+    int count;
+    double step_hz;
+};
+
+Lines lines_of(const FrequencyParameters& grid) {
+    const int count = std::max(2, std::min(kMostLines, static_cast<int>((grid.to_hz - grid.from_hz) / grid.step_hz) + 1));
+    return {count, (grid.to_hz - grid.from_hz) / (count - 1)};
+}
+
+std::vector<UnchangedGroup> unchanged_groups(const CaseParameters& parameters, const std::vector<Source>& sources, const CoupledModel& model,
+                                             const std::vector<RailGroup>* rails) {
+    const auto [lines, step] = lines_of(parameters.frequency);
     std::vector<UnchangedGroup> groups;
     CoupledWorkspace workspace(model);
     for (int first = 0; first < lines; first += lanes::width) {
         LineGroup group{.step_hz = step};
-        for (int lane = 0; lane < lanes::width; ++lane) group.omega[lane] = kTwoPi * (grid.from_hz + std::min(first + lane, lines - 1) * step);
-        UnchangedGroup own{.rail = rail_group(model, group.omega, workspace), .irregularity = {}, .count = std::min(lanes::width, lines - first), .step_hz = step};
+        for (int lane = 0; lane < lanes::width; ++lane) group.omega[lane] = kTwoPi * (parameters.frequency.from_hz + std::min(first + lane, lines - 1) * step);
+        UnchangedGroup own{.rail = rails ? (*rails)[groups.size()] : rail_group(model, group.omega, workspace), .irregularity = {},
+                           .count = std::min(lanes::width, lines - first), .step_hz = step};
         for (const Source& source : sources) own.irregularity.push_back(source.amplitude(group));
         groups.push_back(std::move(own));
     }
@@ -119,13 +131,46 @@ MeanContact mean_contact(double constant, double wheel_load, double deviation) {
     return {slope(mean), 0.5 * std::erfc(mean / deviation / std::numbers::sqrt2)};
 }
 
-Linearisation linearise(const CaseParameters& parameters, const std::vector<Source>& sources, CoupledModel& model) {
+VelocitySpectra velocity_spectra(const CaseParameters& parameters, const std::vector<Source>& sources, const CoupledModel& model, vehicle::Law law,
+                                 const std::vector<RailGroup>& rails) {
+    const std::vector<UnchangedGroup> groups = unchanged_groups(parameters, sources, model, &rails);
+    const std::size_t n = law == vehicle::Law::primary ? 4 : 2;
+    VelocitySpectra result{.from_hz = parameters.frequency.from_hz, .step_hz = groups.front().step_hz, .elements = n, .lines = 0, .values = {}};
+    for (const UnchangedGroup& group : groups) result.lines += static_cast<std::size_t>(group.count);
+    result.values.assign(result.lines * n * n, 0.0);
+    CoupledWorkspace workspace(model);
+    std::size_t first = 0;
+    for (const UnchangedGroup& group : groups) {
+        const GroupSolution& solution = solve_group(model, group.rail, workspace);
+        for (const WheelVector& irregularity : group.irregularity) {
+            const WheelVector force = contact_forces(solution, irregularity);
+            std::array<lanes::Complex, 4> elongation{};
+            for (std::size_t e = 0; e < n; ++e)
+                for (std::size_t j = 0; j < 4; ++j) elongation[e] += (law == vehicle::Law::primary ? solution.car.primary[e][j] : solution.car.secondary[e][j]) * force[j];
+            for (int lane = 0; lane < group.count; ++lane)
+                for (std::size_t i = 0; i < n; ++i)
+                    for (std::size_t j = 0; j < n; ++j)
+                        result.values[((first + static_cast<std::size_t>(lane)) * n + i) * n + j] +=
+                            group.rail.omega[lane] * group.rail.omega[lane] * elongation[i][lane] * std::conj(elongation[j][lane]);
+        }
+        first += static_cast<std::size_t>(group.count);
+    }
+    return result;
+}
+
+std::vector<RailGroup> linearisation_rails(const CaseParameters& parameters, const CoupledModel& model) {
+    constexpr int kEvery = 4;
+    const auto [count, step] = lines_of(parameters.frequency);
+    return rail_groups(model, parameters.frequency.from_hz, step, static_cast<std::size_t>(count), kEvery, 1);
+}
+
+Linearisation linearise(const CaseParameters& parameters, const std::vector<Source>& sources, CoupledModel& model, const std::vector<RailGroup>* rails) {
     Linearisation result;
     if (!is_nonlinear(parameters)) return result;
     const double constant = contact_constant(parameters.contact, parameters.vehicle.wheel_radius_m);
     const double load = wheel_load_n(parameters);
     const double linear = contact_stiffness(constant, load);
-    const std::vector<UnchangedGroup> groups = unchanged_groups(parameters, sources, model);
+    const std::vector<UnchangedGroup> groups = unchanged_groups(parameters, sources, model, rails);
     for (result.iterations = 1; result.iterations <= kMostIterations; ++result.iterations) {
         const MeanSquares squares = mean_squares(groups, model);
         result.change = 0.0;

@@ -3,6 +3,7 @@
 
 #include "pem/coupled_model.hpp"
 #include "pem/excitation.hpp"
+#include "pem/friction_distortion.hpp"
 #include "pem/linearisation.hpp"
 
 namespace railpem::pem {
@@ -15,8 +16,18 @@ bool is_nonlinear(const CaseParameters& parameters);
 /// - contact (δ/G)^{3/2}: K = ∂E[P]/∂δ̄ with E[P] = P0 and δ Gaussian, opening where δ < 0;
 ///   the share contact.nonlinearity_factor of the change K − K_h is applied.
 /// Iterated with under-relaxation until nothing changes by more than 1e-10. Returns without work for a linear case.
-/// `sources` at the speed of the model. The rms values come from at most 512 lines over the case's grid.
-Linearisation linearise(const CaseParameters& parameters, const std::vector<Source>& sources, CoupledModel& model);
+/// `sources` at the speed of the model. The rms values come from at most 512 lines over the case's grid; `rails`: the rail there, as
+/// linearisation_rails() gives it, or solved line by line without.
+Linearisation linearise(const CaseParameters& parameters, const std::vector<Source>& sources, CoupledModel& model,
+                        const std::vector<RailGroup>* rails = nullptr);
+
+/// The rail on the lines of linearise(), interpolated (rail_groups()): for cases that differ in vehicle or excitation only.
+std::vector<RailGroup> linearisation_rails(const CaseParameters& parameters, const CoupledModel& model);
+
+/// Cross-spectra of the velocities across the elements of a stage (primary or secondary) of a linearised model, on the lines that
+/// linearise() uses; for friction_distortion().
+VelocitySpectra velocity_spectra(const CaseParameters& parameters, const std::vector<Source>& sources, const CoupledModel& model, vehicle::Law law,
+                                 const std::vector<RailGroup>& rails);
 
 /// ∂E[P]/∂δ̄ of the Hertz contact in N/m under a Gaussian compression of standard deviation `deviation_m` with E[P] = P0,
 /// and the probability that the contact is open.

@@ -2,7 +2,7 @@
 """Figures of a diagnosis, from diagnosis.json and the tables beside it: the worst channel, the map of level differences, the
 retuned parameters and the inferred dynamic stiffness, as PNG.
 
-    build/release/railpem diagnose cases/wei2016/case2.toml run1 --out out/diagnosis
+    build/release/railpem diagnose cases/wei2016/case1.toml run1 --out out/diagnosis
     scripts/plot_diagnosis.py out/diagnosis
 """
 import argparse

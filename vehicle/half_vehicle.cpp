@@ -67,8 +67,8 @@ void add_body(HalfVehicle& car, const VehicleParameters& vehicle, const Degrees&
 void add_bogie(HalfVehicle& car, const VehicleParameters& vehicle, const Degrees& d, int bogie) {
     const int heave = d.bogie_heave[bogie];
     const int pitch = d.bogie_pitch[bogie];
-    car.elements.push_back({.shares = {{heave, 1.0}}, .carrier = Carrier::bogie, .mass_kg = vehicle.bogie_mass_kg / 2.0});
-    car.elements.push_back({.shares = {{pitch, 1.0}}, .carrier = Carrier::bogie, .mass_kg = vehicle.bogie_pitch_inertia_kg_m2 / 2.0});
+    car.elements.push_back({.shares = {{heave, 1.0}}, .carrier = Carrier::bogie, .index = bogie, .mass_kg = vehicle.bogie_mass_kg / 2.0});
+    car.elements.push_back({.shares = {{pitch, 1.0}}, .carrier = Carrier::bogie, .index = bogie, .mass_kg = vehicle.bogie_pitch_inertia_kg_m2 / 2.0});
     const Place pivot = bogie == 0 ? Place::body_front : Place::body_rear;
     car.secondary_elongation[bogie] = minus(car.places[static_cast<int>(pivot)], heave);
     car.elements.push_back({.shares = car.secondary_elongation[bogie], .law = Law::secondary, .index = bogie});
@@ -95,18 +95,18 @@ void add_wheel(HalfVehicle& car, const VehicleParameters& vehicle, const Degrees
         car.elements.push_back({.shares = {{d.axle_bending[wheel], 1.0}}, .law = Law::mode, .mass_kg = mode.modal_mass_kg / 2.0,
                                 .frequency_hz = mode.frequency_hz, .damping_ratio = mode.damping_ratio});
     }
-    car.elements.push_back({.shares = std::move(rigid), .carrier = Carrier::wheel, .mass_kg = vehicle.wheelset_mass_kg / 2.0});
+    car.elements.push_back({.shares = std::move(rigid), .carrier = Carrier::wheel, .index = wheel, .mass_kg = vehicle.wheelset_mass_kg / 2.0});
     car.places[static_cast<int>(Place::wheel_1) + wheel] = {{degree, 1.0}};
 }
 
 /// −ω²·mass, with the correction of whatever carries it.
 lanes::Complex inertia_of(const HalfVehicle& car, const Element& element, lanes::Real omega) {
     const lanes::Complex inertia{-element.mass_kg * omega * omega, lanes::Real{}};
-    const auto corrected = [&](const lanes::FactorCurve& correction) { return correction.empty() ? inertia : inertia * correction.at(omega); };
+    const auto corrected = [&](const lanes::Complex& own, const lanes::FactorCurve& correction) { return correction.empty() ? own : own * correction.at(omega); };
     switch (element.carrier) {
-        case Carrier::body: return corrected(car.body_correction);
-        case Carrier::bogie: return corrected(car.bogie_correction);
-        case Carrier::wheel: return corrected(car.wheel_correction);
+        case Carrier::body: return corrected(inertia, car.body_correction);
+        case Carrier::bogie: return corrected(corrected(inertia, car.bogie_correction), car.one_bogie_correction[static_cast<std::size_t>(element.index)]);
+        case Carrier::wheel: return corrected(corrected(inertia, car.wheel_correction), car.one_wheelset_correction[static_cast<std::size_t>(element.index)]);
         case Carrier::none: break;
     }
     return inertia;
@@ -136,6 +136,8 @@ HalfVehicle half_vehicle(const VehicleParameters& vehicle) {
     car.body_correction = vehicle.body_correction;
     car.bogie_correction = vehicle.bogie_correction;
     car.wheel_correction = vehicle.wheel_correction;
+    car.one_bogie_correction = vehicle.one_bogie_correction;
+    car.one_wheelset_correction = vehicle.one_wheelset_correction;
     add_body(car, vehicle, d);
     for (int bogie = 0; bogie < 2; ++bogie) add_bogie(car, vehicle, d, bogie);
     for (int wheel = 0; wheel < 4; ++wheel) add_wheel(car, vehicle, d, wheel);
@@ -164,6 +166,16 @@ void assemble(const HalfVehicle& car, lanes::Real omega, Workspace& workspace) {
     }
 }
 
+namespace {
+
+lanes::Complex displacement_at(const std::vector<Share>& shares, const std::vector<lanes::Complex>& q) {
+    lanes::Complex displacement;
+    for (const Share& share : shares) displacement += q[static_cast<std::size_t>(share.degree)] * share.weight;
+    return displacement;
+}
+
+}  // namespace
+
 WheelReceptance wheel_receptance(const HalfVehicle& car, lanes::Real omega, Workspace& workspace) {
     assemble(car, omega, workspace);
     workspace.stiffness.factorise();
@@ -174,16 +186,23 @@ WheelReceptance wheel_receptance(const HalfVehicle& car, lanes::Real omega, Work
         const int degree = car.first_wheel() + wheel;
         q[static_cast<std::size_t>(degree)] = lanes::Complex(1.0);
         workspace.stiffness.solve(q.data(), degree);
-        const auto sum = [&](const std::vector<Share>& shares) {
-            lanes::Complex displacement;
-            for (const Share& share : shares) displacement += q[static_cast<std::size_t>(share.degree)] * share.weight;
-            return displacement;
-        };
         const std::size_t w = static_cast<std::size_t>(wheel);
-        for (std::size_t place = 0; place < car.places.size(); ++place) result.at[place][w] = sum(car.places[place]);
-        for (std::size_t e = 0; e < 4; ++e) result.primary[e][w] = sum(car.primary_elongation[e]);
-        for (std::size_t e = 0; e < 2; ++e) result.secondary[e][w] = sum(car.secondary_elongation[e]);
+        for (std::size_t place = 0; place < car.places.size(); ++place) result.at[place][w] = displacement_at(car.places[place], q);
+        for (std::size_t e = 0; e < 4; ++e) result.primary[e][w] = displacement_at(car.primary_elongation[e], q);
+        for (std::size_t e = 0; e < 2; ++e) result.secondary[e][w] = displacement_at(car.secondary_elongation[e], q);
     }
+    return result;
+}
+
+std::array<lanes::Complex, static_cast<int>(Place::count)> element_receptance(const HalfVehicle& car, Law law, int index, Workspace& workspace) {
+    std::vector<lanes::Complex>& q = workspace.displacement;
+    for (lanes::Complex& value : q) value = lanes::Complex{};
+    const std::size_t own = static_cast<std::size_t>(index);
+    for (const Share& share : law == Law::primary ? car.primary_elongation[own] : car.secondary_elongation[own])
+        q[static_cast<std::size_t>(share.degree)] += lanes::Complex(share.weight);
+    workspace.stiffness.solve(q.data());
+    std::array<lanes::Complex, static_cast<int>(Place::count)> result;
+    for (std::size_t place = 0; place < car.places.size(); ++place) result[place] = displacement_at(car.places[place], q);
     return result;
 }
 

@@ -31,7 +31,7 @@ struct Element {
     std::vector<Share> shares;
     Law law = Law::inertia;
     Carrier carrier = Carrier::none;  ///< inertia
-    int index = 0;              ///< primary: wheel 0…3; secondary: bogie 0…1
+    int index = 0;              ///< primary, inertia of a wheel: wheel 0…3; secondary, inertia of a bogie: bogie 0…1
     double mass_kg = 0.0;       ///< inertia and mode (kg, or kg·m² for a rotation)
     double frequency_hz = 0.0;  ///< mode
     double damping_ratio = 0.0; ///< mode
@@ -53,6 +53,8 @@ struct HalfVehicle {
     std::array<std::vector<Share>, 2> secondary_elongation;
     SuspensionParameters primary, secondary;
     lanes::FactorCurve body_correction, bogie_correction, wheel_correction;  ///< as in VehicleParameters
+    std::array<lanes::FactorCurve, 2> one_bogie_correction;
+    std::array<lanes::FactorCurve, 4> one_wheelset_correction;
     FrictionDamping friction;
 
     int first_wheel() const { return degrees - 4; }
@@ -87,5 +89,9 @@ void assemble(const HalfVehicle& car, lanes::Real omega, Workspace& workspace);
 
 /// Solves D(ω)·q = e_wheel for the four wheels. ω > 0 in rad/s, one per lane.
 WheelReceptance wheel_receptance(const HalfVehicle& car, lanes::Real omega, Workspace& workspace);
+
+/// Displacements at every place for a unit force that elongates one suspension element: upwards on its upper end, downwards on its
+/// lower one, m/N, [place]. `workspace` holds D(ω) factorised, as wheel_receptance() leaves it. `law`: primary or secondary.
+std::array<lanes::Complex, static_cast<int>(Place::count)> element_receptance(const HalfVehicle& car, Law law, int index, Workspace& workspace);
 
 }  // namespace railpem::vehicle

@@ -1,6 +1,7 @@
 #pragma once
 // The car as data: whole-vehicle masses and inertias, suspension elements per rail side (CONVENTIONS.md).
 
+#include <array>
 #include <limits>
 #include <vector>
 
@@ -67,6 +68,8 @@ struct VehicleParameters {
     lanes::FactorCurve body_correction;   ///< factor on the body's mass (with payload) and pitch inertia
     lanes::FactorCurve bogie_correction;  ///< factor on mass and pitch inertia of both bogies
     lanes::FactorCurve wheel_correction;  ///< factor on the mass of every wheelset
+    std::array<lanes::FactorCurve, 2> one_bogie_correction;    ///< and on those of one bogie only
+    std::array<lanes::FactorCurve, 4> one_wheelset_correction; ///< and on the mass of one wheelset only
 };
 
 /// Longitudinal positions of wheels 1…4 from the centre of the body, m, front first.

@@ -75,8 +75,19 @@ std::string hidden_tile(const Diagnosis& diagnosis) {
                             diagnosis.retuned_numbers.size()));
 }
 
+/// Of what the verdict says: the named set, nothing, or something without a name. NaN where several sets are named.
+double verdict_probability(const Diagnosis& diagnosis) {
+    const auto is_meant = [&](const diagnosis::EffectSet& set) {
+        if (diagnosis.verdict == Verdict::consistent) return set.effects.empty();
+        if (diagnosis.verdict == Verdict::explained || diagnosis.verdict == Verdict::recording_fault) return set.effects.size() == diagnosis.omitted.size() && !set.effects.empty();
+        return false;
+    };
+    const auto found = std::find_if(diagnosis.posterior.begin(), diagnosis.posterior.end(), is_meant);
+    return found == diagnosis.posterior.end() ? std::nan("") : found->probability;
+}
+
 std::string badge(const Diagnosis& diagnosis) {
-    const double probability = diagnosis.posterior.empty() ? std::nan("") : diagnosis.posterior[0].probability;
+    const double probability = verdict_probability(diagnosis);
     std::string out = fmt::format("<span class=\"badge {0}\">{0}</span>", verdict_name(diagnosis.verdict));
     if (diagnosis.verdict != Verdict::ambiguous && std::isfinite(probability))
         out += fmt::format("<span class=\"soft\">probability {}</span>", percent(probability));

@@ -75,6 +75,7 @@ struct Effect {
     std::vector<Element> elements;  ///< where it sits; several when a choice decides
     std::vector<Band> bands;
     std::string mimics;  ///< what looks like it, and what would tell them apart
+    bool replaces = false;  ///< it takes the place of a law of the case: no derivative at vanishing strength speaks for it
     /// What in the case forbids the effect (it is there already, or something else overrides it); null: nothing can.
     std::function<std::optional<Obstacle>(const pem::CaseParameters&)> obstacle;
     /// Turns a believed case into one with the effect by setting data. The instance states every parameter. Adds to

@@ -25,6 +25,7 @@ Effect pad_hysteresis() {
             "Another dashpot (parameter-error of track.pads.damping_n_s_per_m) with the same loss at the wheel's "
             "resonance; they part below and above it: the dashpot's loss grows with frequency, this one does not. "
             "pad-frequency-stiffening keeps the dashpot.",
+        .replaces = true,
         .obstacle = [](const pem::CaseParameters& parameters) -> std::optional<Obstacle> {
             const track::PadParameters& pads = parameters.track.pads;
             if (!pads.table_frequency_hz.empty())

@@ -92,7 +92,7 @@ TEST_P(EffectStrength, SolvedAtTheEndsOfItsRange) {
         }
 }
 
-INSTANTIATE_TEST_SUITE_P(Library, EffectStrength, testing::Range<std::size_t>(0, 26), [](const auto& parameter) {
+INSTANTIATE_TEST_SUITE_P(Library, EffectStrength, testing::Range<std::size_t>(0, effects().size()), [](const auto& parameter) {
     std::string name = effects()[parameter.param].id;
     std::replace(name.begin(), name.end(), '-', '_');
     return name;

@@ -62,12 +62,13 @@ std::vector<Unknown> all_unknowns(const Synthesised& made) {
 void check_unknowns(const std::vector<EffectInstance>& effects) {
     const Synthesised made = world(effects);
     const Predictions known = predict(made.truth, made.context());
+    const bool friction = std::any_of(effects.begin(), effects.end(), [](const EffectInstance& own) { return own.effect == "suspension-friction"; });
     for (const Unknown& unknown : all_unknowns(made)) {
         Trial moved = made.truth;
         const double start = unknown.kind == UnknownKind::effect ? 0.5 * (unknown.low + unknown.high) : unknown.mean;
         unknown.set(moved, start + 0.1 * unknown.deviation);
         const auto [error, change] = reused(made, known, moved, shared_with(made.truth, unknown));
-        EXPECT_LE(error, 1e-12) << unknown.name;
+        EXPECT_LE(error, friction ? 1e-10 : 1e-12) << unknown.name;  // linearising settles to 1e-10, from wherever it starts
         if (unknown.kind != UnknownKind::correction && unknown.kind != UnknownKind::irregularity) {
             EXPECT_GT(change, 1e-9) << unknown.name << " moves nothing";
         }

@@ -1,0 +1,116 @@
+// Decisions over sets whose evidences are given.
+
+#include "diagnosis/verdict.hpp"
+
+#include <gtest/gtest.h>
+
+namespace railpem::diagnosis {
+namespace {
+
+const VerdictThresholds thresholds{};
+
+Candidate member(const std::string& effect) { return {.instance = {.effect = effect, .values = {}, .choices = {}}}; }
+
+FittedSet set_of(const std::vector<std::string>& effects, const std::vector<std::string>& released, double score, double held_out) {
+    FittedSet set{.released = released, .held_out = held_out};
+    for (const std::string& effect : effects) set.effects.push_back(member(effect));
+    set.fit.log_evidence = score;
+    return set;
+}
+
+/// The one parameter of a set's effect lies on its upper bound and would gain so many nats beyond.
+FittedSet leaning(FittedSet set, double nats) {
+    set.fit.unknowns = {{.kind = UnknownKind::effect, .name = "rail-shear.shear_coefficient", .low = 0.0, .high = 1.0}};
+    set.fit.values = {1.0};
+    set.fit.gradient = Eigen::VectorXd::Constant(1, std::sqrt(2.0 * nats) / 0.1);
+    set.fit.covariance = Eigen::MatrixXd::Constant(1, 1, 0.01);
+    return set;
+}
+
+NamingResult naming_of(std::vector<FittedSet> sets) {
+    NamingResult naming;
+    naming.retuned = set_of({}, {}, 0.0, 0.0);
+    naming.sets = std::move(sets);
+    return naming;
+}
+
+TEST(DropSuperfluous, TakesWhatGainsTooLittle) {
+    NamingResult naming = naming_of({set_of({"rail-shear", "sensor-gain"}, {}, 104.0, 20.0), set_of({"rail-shear"}, {}, 100.0, 10.0)});
+    EXPECT_TRUE(drop_superfluous(naming, thresholds));
+    ASSERT_EQ(naming.sets.size(), 1u);
+    EXPECT_EQ(naming.sets.front().members(), 1u);
+}
+
+TEST(DropSuperfluous, KeepsWhatGainsAndHoldsOnTheUnseen) {
+    NamingResult naming = naming_of({set_of({"rail-shear", "sensor-gain"}, {}, 110.0, 12.0), set_of({"rail-shear"}, {}, 100.0, 10.0)});
+    EXPECT_FALSE(drop_superfluous(naming, thresholds));
+    EXPECT_EQ(naming.sets.size(), 2u);
+}
+
+TEST(DropSuperfluous, TakesWhatTheUnseenSpeaksAgainst) {
+    NamingResult naming = naming_of({set_of({"rail-shear", "sensor-gain"}, {}, 150.0, 9.9), set_of({"rail-shear"}, {}, 100.0, 10.0)});
+    EXPECT_TRUE(drop_superfluous(naming, thresholds));
+}
+
+TEST(DropSuperfluous, ForgivesReleasedNumbersTwoNats) {
+    for (const auto& [held_out, dropped] : {std::pair(8.5, false), std::pair(7.5, true)}) {
+        NamingResult naming = naming_of({set_of({"rail-shear"}, {"vehicle.body_mass_kg"}, 150.0, held_out), set_of({"rail-shear"}, {}, 100.0, 10.0)});
+        EXPECT_EQ(drop_superfluous(naming, thresholds), dropped) << held_out;
+    }
+}
+
+TEST(DropSuperfluous, LeavesSetsThatDoNotContainEachOther) {
+    NamingResult naming = naming_of({set_of({"rail-shear", "sensor-gain"}, {}, 100.5, 10.0), set_of({"body-bending"}, {}, 100.0, 10.0)});
+    EXPECT_FALSE(drop_superfluous(naming, thresholds));
+    EXPECT_EQ(naming.sets.size(), 2u);
+}
+
+TEST(DropSuperfluous, TakesAMemberThatLeansOnItsBound) {
+    for (const auto& [nats, dropped] : {std::pair(1.5, false), std::pair(3.0, true)}) {
+        NamingResult naming = naming_of({leaning(set_of({"sensor-gain", "rail-shear"}, {}, 150.0, 20.0), nats), set_of({"sensor-gain"}, {}, 100.0, 10.0)});
+        EXPECT_EQ(drop_superfluous(naming, thresholds), dropped) << nats;
+    }
+}
+
+TEST(Decide, NamesWhatGains) {
+    const NamingResult naming = naming_of({set_of({"rail-shear"}, {}, 100.0, 10.0)});
+    EXPECT_EQ(decide(naming, {}, thresholds).verdict, Verdict::explained);
+}
+
+TEST(Decide, SaysNothingIsMissingBelowTheLeastGain) {
+    EXPECT_EQ(decide(naming_of({set_of({"rail-shear"}, {}, 4.9, 10.0)}), {}, thresholds).verdict, Verdict::consistent);
+    EXPECT_EQ(decide(naming_of({set_of({"rail-shear"}, {}, 100.0, -0.1)}), {}, thresholds).verdict, Verdict::consistent);
+    EXPECT_EQ(decide(naming_of({set_of({}, {"vehicle.body_mass_kg"}, 100.0, -1.0)}), {}, thresholds).verdict, Verdict::explained);
+}
+
+TEST(Decide, DoesNotNamePhysicsBeyondItsRange) {
+    EXPECT_EQ(decide(naming_of({leaning(set_of({"rail-shear"}, {}, 100.0, 10.0), 3.0)}), {}, thresholds).verdict, Verdict::unexplained);
+    EXPECT_EQ(decide(naming_of({leaning(set_of({"rail-shear"}, {}, 100.0, 10.0), 1.0)}), {}, thresholds).verdict, Verdict::explained);
+}
+
+TEST(Decide, LeavesEqualsTogether) {
+    const NamingResult naming = naming_of({set_of({"rail-shear"}, {}, 100.0, 10.0), set_of({"body-bending"}, {}, 97.0, 10.0), set_of({"body-bending"}, {}, 95.0, 10.0)});
+    const Decision decision = decide(naming, {}, thresholds);
+    EXPECT_EQ(decision.verdict, Verdict::ambiguous);
+    EXPECT_EQ(decision.credible.size(), 2u);
+}
+
+TEST(Decide, WithholdsTheNameWhereMoreIsLeftThanChance) {
+    const NamingResult naming = naming_of({set_of({"rail-shear"}, {}, 100.0, 10.0)});
+    PlaceStudy places;
+    places.at_named = {{.element = Element::bogie, .nats = 13.0}};
+    EXPECT_EQ(decide(naming, places, thresholds).verdict, Verdict::unexplained);
+    const NamingResult large = naming_of({set_of({"rail-shear"}, {}, 10000.0, 10.0)});
+    EXPECT_EQ(decide(large, places, thresholds).verdict, Verdict::explained) << "a thousandth of what it explains";
+}
+
+TEST(Posterior, SumsToOne) {
+    const NamingResult naming = naming_of({set_of({"rail-shear"}, {}, 2.0, 1.0), set_of({"body-bending"}, {}, 1.0, 1.0)});
+    const Decision decision = decide(naming, {}, thresholds);
+    double sum = 0.0;
+    for (const EffectSet& own : posterior_of(naming, decision)) sum += own.probability;
+    EXPECT_NEAR(sum, 1.0, 1e-12);
+}
+
+}  // namespace
+}  // namespace railpem::diagnosis
