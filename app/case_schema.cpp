@@ -164,6 +164,10 @@ CaseFile parse_case(const std::string& name, const std::string& text, const std:
     return read_document_as_case(parse_document(name, text), std::filesystem::path(name).stem().string(), options);
 }
 
+CaseFile changed_case(const CaseFile& file, const std::vector<std::string>& options) {
+    return read_document_as_case(file.document, file.name, options);
+}
+
 std::string write_case(const pem::CaseParameters& parameters, const std::vector<diagnosis::EffectInstance>& effects) {
     const pem::CaseParameters defaults;
     return write_table(case_schema(), &parameters, &defaults) + write_effects(effects);

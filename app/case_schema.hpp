@@ -33,6 +33,9 @@ CaseFile read_case(const std::string& path, const std::vector<std::string>& opti
 /// The same for a text that is already there, called `name` in messages.
 CaseFile parse_case(const std::string& name, const std::string& text, const std::vector<std::string>& options);
 
+/// The same case with further options `--set key=value`. Throws InputError and leaves `file` as it is.
+CaseFile changed_case(const CaseFile& file, const std::vector<std::string>& options);
+
 /// The case as a TOML text that read_case() reads back to the same values. `effects` follow as [[effect]] tables;
 /// `parameters` are those without them.
 std::string write_case(const pem::CaseParameters& parameters,

@@ -112,7 +112,8 @@ int run_program(int argc, const char* const* argv) {
     } catch (const InputError& error) {
         return say(error.what(), kRefused);
     } catch (const std::bad_alloc&) {
-        return say("railpem: not enough memory", kFailed);
+        std::fputs("railpem: not enough memory\n", stderr);  // without asking for more of it
+        return kFailed;
     } catch (const std::exception& error) {
         return say(fmt::format("railpem: {}", error.what()), kFailed);
     }

@@ -58,15 +58,17 @@ int flush_file(const fs::path& file) {
 
 OutputFolder::OutputFolder(const fs::path& folder, const std::string& option)
     : folder_(folder.empty() ? fs::path(".") : folder), option_(option) {
-    make_folders();
-    const fs::path probe = folder_ / fmt::format(".railpem-{}.partial", ::getpid());
-    const int failure = write_file(probe, "");
-    if (failure != 0) {
+    try {
+        make_folders();
+        const fs::path probe = folder_ / fmt::format(".railpem-{}.partial", ::getpid());
+        const int failure = write_file(probe, "");
+        if (failure != 0) refuse_folder(option_, folder_, std::strerror(failure));
+        std::error_code ignored;
+        fs::remove(probe, ignored);
+    } catch (...) {  // for want of memory, too: a folder that is not made yet has no destructor
         remove_folders();
-        refuse_folder(option_, folder_, std::strerror(failure));
+        throw;
     }
-    std::error_code ignored;
-    fs::remove(probe, ignored);
 }
 
 OutputFolder::~OutputFolder() {
@@ -82,11 +84,9 @@ void OutputFolder::make_folders() {
     }
     for (auto level = missing.rbegin(); level != missing.rend(); ++level) {
         std::error_code failure;
-        if (fs::create_directory(*level, failure)) made_.push_back(*level);
-        if (failure) {
-            remove_folders();
-            refuse_folder(option_, folder_, failure.message());
-        }
+        made_.push_back(*level);  // before it is there, so that none is there that nobody knows of
+        if (!fs::create_directory(*level, failure)) made_.pop_back();
+        if (failure) refuse_folder(option_, folder_, failure.message());
     }
     if (!fs::is_directory(folder_, status)) refuse_folder(option_, folder_, std::strerror(ENOTDIR));
 }

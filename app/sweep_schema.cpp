@@ -208,10 +208,32 @@ std::string describe_sweep() {
     return describe_table("The sweep file", kIntroduction, sweep_schema(), &defaults);
 }
 
+namespace {
+
+/// The plan of a description that was read from `document`, over `base`.
+SweepFile planned(const Document& document, SweepDescription description, const pem::CaseParameters& base) {
+    SweepFile sweep{.name = std::filesystem::path(document.name).stem().string(), .description = std::move(description), .plan = {}};
+    pem::SweepPlan& plan = sweep.plan;
+    plan.base = base;
+    plan.design = sweep.description.design;
+    plan.samples = static_cast<std::size_t>(sweep.description.samples);
+    plan.seed = static_cast<std::uint64_t>(sweep.description.seed);
+    plan.quantities = read_quantities(document, sweep.description);
+    for (std::size_t i = 0; i < sweep.description.vary.size(); ++i) {
+        plan.axes.push_back(read_axis(document, i, sweep.description.vary[i], plan.design, plan.base));
+        if (plan.axes.back().key == kSpeeds) plan.base.running.speeds_m_per_s.resize(1);
+    }
+    plan.bands = band_rule(plan.base);
+    check_design(document, sweep);
+    check_combinations(document, sweep);
+    return sweep;
+}
+
+}  // namespace
+
 SweepFile read_sweep(const std::string& path, const std::vector<std::string>& options) {
     const Document document = read_document(path);
-    SweepFile sweep{.name = std::filesystem::path(path).stem().string(), .description = {}, .plan = {}};
-    SweepDescription& description = sweep.description;
+    SweepDescription description;
     read_table(document, sweep_schema(), &description);
     const std::filesystem::path case_path = std::filesystem::path(path).parent_path() / description.case_path;
     if (!std::filesystem::exists(case_path)) {
@@ -219,20 +241,14 @@ SweepFile read_sweep(const std::string& path, const std::vector<std::string>& op
         throw document.error(entry->node.place, {.what = fmt::format("there is no case file '{}'", case_path.string()),
                                                  .allowed = "a path relative to the sweep file", .hint = ""});
     }
-    pem::SweepPlan& plan = sweep.plan;
-    plan.base = read_case(case_path.string(), options).parameters;
-    plan.design = description.design;
-    plan.samples = static_cast<std::size_t>(description.samples);
-    plan.seed = static_cast<std::uint64_t>(description.seed);
-    plan.quantities = read_quantities(document, description);
-    for (std::size_t i = 0; i < description.vary.size(); ++i) {
-        plan.axes.push_back(read_axis(document, i, description.vary[i], description.design, plan.base));
-        if (plan.axes.back().key == kSpeeds) plan.base.running.speeds_m_per_s.resize(1);
-    }
-    plan.bands = band_rule(plan.base);
-    check_design(document, sweep);
-    check_combinations(document, sweep);
-    return sweep;
+    return planned(document, std::move(description), read_case(case_path.string(), options).parameters);
+}
+
+SweepFile parse_sweep(const std::string& name, const std::string& text, const pem::CaseParameters& base) {
+    const Document document = parse_document(name, text);
+    SweepDescription description;
+    read_table(document, sweep_schema(), &description);
+    return planned(document, std::move(description), base);
 }
 
 }  // namespace railpem::app

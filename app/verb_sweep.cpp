@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <mutex>
+#include <optional>
 
 #include "app/output_folder.hpp"
 #include "app/program_version.hpp"
@@ -12,6 +13,7 @@
 #include "app/sweep_progress_file.hpp"
 #include "app/sweep_table.hpp"
 #include "app/verbs.hpp"
+#include "ranks/crew.hpp"
 
 namespace railpem::app {
 
@@ -46,30 +48,50 @@ bool as_hdf5(const SweepRequest& request, const SweepFile& sweep) {
     return sweep.description.format == TableFormat::hdf5;
 }
 
-int sweep(const SweepRequest& request) {
-    const SweepFile file = read_sweep(request.sweep, request.options);
-    const std::size_t cases = pem::sweep_size(file.plan), rows = pem::sweep_rows(file.plan).size();
-    std::filesystem::path folder = request.folder;
-    {
-        OutputFolder made(folder);  // refuses what cannot be written
-        made.commit();
-    }
-    SweepProgressFile results(folder / (file.name + ".unfinished"), identity(file), cases, rows);
+/// Results of the cases that this process is given.
+void run_cases(const SweepRequest& request, const SweepFile& file, ranks::Crew& crew, SweepProgressFile& results) {
+    const std::size_t cases = pem::sweep_size(file.plan);
+    const std::unique_ptr<ranks::Dispenser> dispenser = crew.dispense(cases);
     ProgressBar bar(file.name);
     std::atomic<std::size_t> done = results.finished_at_start();
     std::mutex drawing;
+    const auto keep = [&](std::size_t index, const std::vector<double>& values) {
+        results.write(index, values);
+        const std::size_t now = ++done;
+        // The first process knows what the others have been given; it draws the bar of all.
+        if (const std::unique_lock lock(drawing, std::try_to_lock); lock && crew.rank() == 0) bar.show(crew.size() > 1 ? dispenser->given() : now, cases);
+    };
     pem::run_sweep(file.plan, request.threads, {.finished = [&](std::size_t index) { return results.finished(index); },
-                                                .done = [&](std::size_t index, const std::vector<double>& values) {
-                                                    results.write(index, values);
-                                                    const std::size_t now = ++done;
-                                                    if (const std::unique_lock lock(drawing, std::try_to_lock); lock) bar.show(now, cases);
-                                                }});
+                                                .done = keep,
+                                                .next = [&] { return dispenser->next(); }});
+}
+
+void write_table(const SweepRequest& request, const SweepFile& file, const SweepProgressFile& results) {
+    const std::filesystem::path folder = request.folder;
     const SweepValues read = [&](std::size_t first, std::size_t count) { return results.read(first, count); };
     if (as_hdf5(request, file))
         write_sweep_hdf5(folder / (file.name + ".h5"), file.plan, read);
     else
         write_sweep_csv(folder / (file.name + ".csv"), file.plan, read);
-    results.remove();
+}
+
+int sweep(const SweepRequest& request) {
+    const std::unique_ptr<ranks::Crew> crew = ranks::join_crew();
+    std::optional<SweepFile> file;
+    std::optional<SweepProgressFile> results;
+    crew->first_then_others([&] {
+        file = read_sweep(request.sweep, request.options);
+        const std::filesystem::path folder = request.folder;
+        OutputFolder(folder).commit();  // refuses what cannot be written
+        results.emplace(folder / (file->name + ".unfinished"), identity(*file), pem::sweep_size(file->plan), pem::sweep_rows(file->plan).size(), crew->rank());
+    });
+    run_cases(request, *file, *crew, *results);
+    results->flush();
+    crew->meet();
+    if (crew->rank() != 0) return 0;
+    results->gather();
+    write_table(request, *file, *results);
+    results->remove();
     return 0;
 }
 

@@ -329,7 +329,8 @@ class Diagnosing {
             if (observation.speed_m_per_s > 0.0) ++speeds[std::lround(10.0 * observation.speed_m_per_s)];
         if (speeds.empty()) result_.rests_on.push_back("the track alone, without a vehicle");
         else if (speeds.size() > 1) result_.rests_on.push_back(std::to_string(speeds.size()) + " speeds: irregularity keeps its wavelength, structure its frequency");
-        else result_.rests_on.push_back("one speed: what lies below the wheels shows only through the coupling of neighbouring wheels and the believed irregularity");
+        else result_.rests_on.push_back(std::string("one speed: what lies below the wheels shows only through the coupling of neighbouring wheels and the ") +
+                                        (believed_.measured_irregularity.empty() ? "believed" : "measured") + " irregularity");
         if (!result_.per_value) result_.rests_on.push_back("ratios between the channels, which do not care what the irregularity is");
         for (const RetunedNumber& number : result_.numbers)
             if (number.outside) result_.remains.push_back(number.key + " ends " + std::to_string(std::abs(number.tolerances_away)).substr(0, 4) + " tolerances away from what was believed");

@@ -1,7 +1,5 @@
 #include "diagnosis/likelihood.hpp"
 
-#include <omp.h>
-
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
@@ -12,6 +10,7 @@
 #include "diagnosis/scalar_likelihood.hpp"
 #include "diagnosis/whitened_bin.hpp"
 #include "diagnosis/whitened_columns.hpp"
+#include "pem/threads.hpp"
 
 namespace railpem::diagnosis {
 
@@ -20,7 +19,7 @@ namespace {
 using Complex = std::complex<double>;
 constexpr std::size_t kChunkBins = 64;  ///< bins summed at a time, so that sums do not depend on the threads
 
-int thread_count(const LikelihoodContext& context) { return context.threads > 0 ? context.threads : omp_get_max_threads(); }
+int thread_count(const LikelihoodContext& context) { return pem::thread_count(context.threads); }
 
 /// Bins of an observation that are summed together.
 struct Chunk {

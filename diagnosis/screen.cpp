@@ -1,13 +1,12 @@
 #include "diagnosis/screen.hpp"
 
-#include <omp.h>
-
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
 #include "diagnosis/shows.hpp"
 #include "parameters/parameter_error.hpp"
+#include "pem/threads.hpp"
 
 namespace railpem::diagnosis {
 
@@ -20,7 +19,7 @@ std::vector<PredictionDerivative> directions(const Fit& fit, const std::vector<C
                                              const LikelihoodContext& context) {
     const std::vector<Observation>& observations = *context.observations;
     std::vector<PredictionDerivative> result(count * observations.size());
-    const int threads = context.threads > 0 ? context.threads : omp_get_max_threads();
+    const int threads = pem::thread_count(context.threads);
 #pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
     for (std::size_t i = 0; i < result.size(); ++i) {
         const std::size_t c = i / observations.size(), o = i % observations.size();

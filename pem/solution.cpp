@@ -1,17 +1,19 @@
 #include "pem/solution.hpp"
 
 #include <fmt/format.h>
-#include <omp.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cassert>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "pem/coupled_model.hpp"
 #include "pem/excitation.hpp"
 #include "pem/linearise.hpp"
 #include "pem/sensor_chain.hpp"
+#include "pem/threads.hpp"
 #include "spectra/validity.hpp"
 
 namespace railpem::pem {
@@ -107,22 +109,24 @@ Solution solve_case(const CaseParameters& parameters, double speed_m_per_s, cons
     solution.pseudo_response.resize(sources.size() * response_names().size() * lines);
 
     const std::size_t groups = (lines + lanes::width - 1) / lanes::width;
-    const int threads = options.threads > 0 ? options.threads : omp_get_max_threads();
-    std::size_t done = 0;
+    const int threads = thread_count(options.threads);
+    std::atomic<std::size_t> done{0};
+    TeamFailure failure;
 #pragma omp parallel num_threads(threads)
     {
-        CoupledWorkspace workspace(model);
+        std::optional<CoupledWorkspace> workspace;
+        failure.guard([&] { workspace.emplace(model); });
 #pragma omp for schedule(dynamic, 4)
-        for (std::size_t group = 0; group < groups; ++group) {
-            const GroupSolution& solved = solve_group(model, group_omega(solution.frequency_hz, group), workspace);
-            store_group(solved, sources, parameters.frequency.step_hz, group * lanes::width, solution);
-            if (!options.progress) continue;
-            std::size_t now = 0;
-#pragma omp atomic capture
-            now = done += lanes::width;
-            if (omp_get_thread_num() == 0) options.progress(std::min(now, lines), lines);
-        }
+        for (std::size_t group = 0; group < groups; ++group)
+            failure.guard([&] {
+                if (options.interrupted && options.interrupted()) throw Interrupted{};
+                const GroupSolution& solved = solve_group(model, group_omega(solution.frequency_hz, group), *workspace);
+                store_group(solved, sources, parameters.frequency.step_hz, group * lanes::width, solution);
+                const std::size_t now = done += lanes::width;
+                if (options.progress && thread_number() == 0) options.progress(std::min(now, lines), lines);
+            });
     }
+    failure.rethrow();
     apply_sensors(parameters.sensors, solution);
     return solution;
 }

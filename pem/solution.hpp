@@ -39,10 +39,15 @@ struct Solution {
     }
 };
 
+/// Thrown instead of a result that somebody no longer wants.
+struct Interrupted {};
+
 struct SolveOptions {
     int threads = 0;  ///< 0: as many as OpenMP offers
     /// Called now and then from one thread with lines done and lines in all.
     std::function<void(std::size_t, std::size_t)> progress;
+    /// Asked between lines, from several threads at a time; true ends the solution with Interrupted.
+    std::function<bool()> interrupted;
 };
 
 /// Frequency lines of the grid, Hz.

@@ -1,12 +1,13 @@
 #include "pem/sweep.hpp"
 
 #include <fmt/format.h>
-#include <omp.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
-#include <exception>
 #include <limits>
+
+#include "pem/threads.hpp"
 
 namespace railpem::pem {
 
@@ -146,23 +147,26 @@ std::vector<SweepRow> sweep_rows(const SweepPlan& plan) {
 
 void run_sweep(const SweepPlan& plan, int threads, const SweepObserver& observer) {
     const std::size_t cases = sweep_size(plan);
-    const int available = threads > 0 ? threads : omp_get_max_threads();
+    const int available = thread_count(threads);
     const bool few = cases < static_cast<std::size_t>(available);
-    std::exception_ptr failure;
-#pragma omp parallel for schedule(dynamic, 1) num_threads(few ? 1 : available)
-    for (std::size_t index = 0; index < cases; ++index) {
-        bool failed = false;
-#pragma omp critical(railpem_sweep_failure)
-        failed = failure != nullptr;
-        if (failed || observer.finished(index)) continue;
-        try {
-            observer.done(index, evaluate(plan, index, few ? available : 1));
-        } catch (...) {
-#pragma omp critical(railpem_sweep_failure)
-            failure = std::current_exception();
-        }
+    std::atomic<std::size_t> counter{0};
+    const auto in_order = [&]() -> std::optional<std::size_t> {
+        const std::size_t index = counter++;
+        return index < cases ? std::optional(index) : std::nullopt;
+    };
+    const std::function<std::optional<std::size_t>()> next = observer.next ? observer.next : in_order;
+    TeamFailure failure;
+#pragma omp parallel num_threads(few ? 1 : available)
+    for (bool more = true; more;) {
+        more = false;
+        failure.guard([&] {
+            const std::optional<std::size_t> index = next();
+            if (!index) return;
+            if (!observer.finished(*index)) observer.done(*index, evaluate(plan, *index, few ? available : 1));
+            more = true;
+        });
     }
-    if (failure) std::rethrow_exception(failure);
+    failure.rethrow();
 }
 
 }  // namespace railpem::pem

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -70,15 +71,17 @@ CaseParameters sweep_case(const SweepPlan& plan, std::size_t index);
 /// The rows that every case has, in order. The varied parameters must not change the number of lines or speeds.
 std::vector<SweepRow> sweep_rows(const SweepPlan& plan);
 
-/// What becomes of a sweep while it runs. Both are called from several threads at a time.
+/// How a sweep runs. All are called from several threads at a time.
 struct SweepObserver {
     std::function<bool(std::size_t index)> finished;  ///< cases to leave out
     std::function<void(std::size_t index, const std::vector<double>& values)> done;  ///< the values of a case's rows, in order
+    /// Which case comes next, nothing when all are given away: for a sweep that several processes share. Without it every case, in order.
+    std::function<std::optional<std::size_t>()> next;
 };
 
-/// Runs every case that is not finished. Cases run in parallel, each on one thread; with fewer cases than threads the lines of each do.
-/// The same bits for any number of threads. Throws what a case throws (parameters::ParameterError without a static equilibrium)
-/// or `done` throws; cases that were done stay done.
+/// Runs every case that it is given and that is not finished. Cases run in parallel, each on one thread; with fewer cases than threads
+/// the lines of each do. The same bits for any number of threads. Throws what a case throws (parameters::ParameterError without a static
+/// equilibrium) or `done` throws; cases that were done stay done.
 void run_sweep(const SweepPlan& plan, int threads, const SweepObserver& observer);
 
 }  // namespace railpem::pem

@@ -1,11 +1,11 @@
 #include "pem/track_response.hpp"
 
-#include <omp.h>
-
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "pem/rail_model.hpp"
+#include "pem/threads.hpp"
 #include "track/decay_rate.hpp"
 #include "track/exact_rail.hpp"
 
@@ -54,14 +54,19 @@ TrackResponse track_response(const CaseParameters& parameters, const std::vector
     response.bloch_decay_db_per_m.resize(lines);
     response.squared_transfer.resize(with_decay ? lines : 0);
     const std::size_t groups = (lines + lanes::width - 1) / lanes::width;
-#pragma omp parallel num_threads(threads > 0 ? threads : omp_get_max_threads())
+    TeamFailure failure;
+#pragma omp parallel num_threads(thread_count(threads))
     {
-        track::ExactRailWorkspace over_pad(pad_rail), along(rail);
+        std::optional<track::ExactRailWorkspace> over_pad, along;
+        failure.guard([&] {
+            over_pad.emplace(pad_rail);
+            along.emplace(rail);
+        });
 #pragma omp for schedule(dynamic, 4)
-        for (std::size_t group = 0; group < groups; ++group) {
+        for (std::size_t group = 0; group < groups; ++group) failure.guard([&] {
             const lanes::Real omega = group_omega(frequency_hz, group);
-            const lanes::Complex pad = track::rail_receptance(pad_rail, omega, over_pad).at(0, 0);
-            const track::RailReceptance& bay = track::rail_receptance(rail, omega, along);
+            const lanes::Complex pad = track::rail_receptance(pad_rail, omega, *over_pad).at(0, 0);
+            const track::RailReceptance& bay = track::rail_receptance(rail, omega, *along);
             const track::HalfTrack half = track::uniform_half_track(rail, omega);
             for (std::size_t lane = 0; lane < lanes::width && group * lanes::width + lane < lines; ++lane) {
                 const std::size_t line = group * lanes::width + lane;
@@ -73,8 +78,9 @@ TrackResponse track_response(const CaseParameters& parameters, const std::vector
                 const double omega4 = std::pow(kTwoPi * frequency_hz[line], 4);
                 for (std::size_t n = 0; n < points.size(); ++n) response.squared_transfer[line].push_back(omega4 * std::norm(bay.at(static_cast<int>(n), 0)[l]));
             }
-        }
+        });
     }
+    failure.rethrow();
     return response;
 }
 

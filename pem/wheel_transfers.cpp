@@ -1,14 +1,14 @@
 #include "pem/wheel_transfers.hpp"
 
-#include <omp.h>
-
 #include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "pem/solution.hpp"
+#include "pem/threads.hpp"
 
 namespace railpem::pem {
 
@@ -23,13 +23,16 @@ lanes::Real omega_of(double from_hz, double step_hz, std::size_t first, std::siz
 
 std::vector<RailGroup> solved_rails(const CoupledModel& model, double from_hz, double step_hz, std::size_t lines, int threads) {
     std::vector<RailGroup> rails((lines + lanes::width - 1) / lanes::width);
-#pragma omp parallel num_threads(threads > 0 ? threads : omp_get_max_threads())
+    TeamFailure failure;
+#pragma omp parallel num_threads(thread_count(threads))
     {
-        CoupledWorkspace workspace(model);
+        std::optional<CoupledWorkspace> workspace;
+        failure.guard([&] { workspace.emplace(model); });
 #pragma omp for schedule(dynamic, 4)
         for (std::size_t group = 0; group < rails.size(); ++group)
-            rails[group] = rail_group(model, omega_of(from_hz, step_hz, group * lanes::width, lines), workspace);
+            failure.guard([&] { rails[group] = rail_group(model, omega_of(from_hz, step_hz, group * lanes::width, lines), *workspace); });
     }
+    failure.rethrow();
     return rails;
 }
 
@@ -83,17 +86,22 @@ WheelTransfers wheel_transfers(const CoupledModel& model, double from_hz, double
     const std::size_t groups = (lines + lanes::width - 1) / lanes::width;
     const bool known = rails && rails->size() == groups;
     if (rails && !known) rails->resize(groups);
-#pragma omp parallel num_threads(threads > 0 ? threads : omp_get_max_threads())
+    TeamFailure failure;
+#pragma omp parallel num_threads(thread_count(threads))
     {
-        CoupledWorkspace workspace(model);
-        std::vector<lanes::Complex> all(response_names().size());
+        std::optional<CoupledWorkspace> workspace;
+        std::vector<lanes::Complex> all;
+        failure.guard([&] {
+            workspace.emplace(model);
+            all.resize(response_names().size());
+        });
 #pragma omp for schedule(dynamic, 4)
-        for (std::size_t group = 0; group < groups; ++group) {
+        for (std::size_t group = 0; group < groups; ++group) failure.guard([&] {
             const std::size_t first = group * lanes::width;
             const lanes::Real omega = omega_of(from_hz, step_hz, first, lines);
-            const RailGroup rail = known ? (*rails)[group] : rail_group(model, omega, workspace);
+            const RailGroup rail = known ? (*rails)[group] : rail_group(model, omega, *workspace);
             if (rails && !known) (*rails)[group] = rail;
-            const GroupSolution& solution = solve_group(model, rail, workspace);
+            const GroupSolution& solution = solve_group(model, rail, *workspace);
             for (std::size_t wheel = 0; wheel < 4; ++wheel) {
                 WheelVector unit;
                 unit[wheel] = lanes::Complex(1.0);
@@ -102,8 +110,9 @@ WheelTransfers wheel_transfers(const CoupledModel& model, double from_hz, double
                     for (std::size_t r = 0; r < kept; ++r)
                         transfers.values[((first + lane) * kept + r) * 4 + wheel] = all[transfers.responses[r]][static_cast<int>(lane)];
             }
-        }
+        });
     }
+    failure.rethrow();
     return transfers;
 }
 

@@ -20,12 +20,14 @@ PERMITTED = {
     "simulate": {"parameters", "spectra", "vehicle", "track", "pem"},
     "recordings": {"parameters", "spectra"},
     "diagnosis": {"parameters", "lanes", "spectra", "vehicle", "track", "pem", "recordings"},
-    "app": {"parameters", "lanes", "spectra", "vehicle", "track", "pem", "simulate", "recordings", "diagnosis"},
+    "ranks": set(),
+    "app": {"parameters", "lanes", "spectra", "vehicle", "track", "pem", "simulate", "recordings", "diagnosis", "ranks"},
+    "python": {"parameters", "pem", "track", "simulate", "recordings", "diagnosis", "app"},
 }
 # What simulate may open in the folders of the frequency domain: data and closed formulas only.
 SIMULATE_MAY_OPEN = re.compile(r"^(parameters/|.*_parameters\.hpp$|spectra/irregularity_spectrum\.hpp$)")
 # Libraries that only one folder may touch.
-ONLY_IN = {"toml++": "app", "CLI/": "app"}
+ONLY_IN = {"toml++": "app", "CLI/": "app", "mpi.h": "ranks", "pybind11/": "python"}
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')
 
 

@@ -7,7 +7,7 @@ export RAILPEM_RECORDINGS="${RAILPEM_RECORDINGS:-$root/../shared/recordings}"
 
 warnings=OFF
 [ "${CI:-}" = true ] && warnings=ON
-configure -DRAILPEM_TESTS=ON -DRAILPEM_WARNINGS_AS_ERRORS=$warnings > /dev/null
+configure -DRAILPEM_TESTS=ON -DRAILPEM_MPI=ON -DRAILPEM_WARNINGS_AS_ERRORS=$warnings > /dev/null
 cmake --build "$build"
 
 status=0

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -156,15 +157,18 @@ std::vector<TrialTruth> draw_trials(const CaseFile& file, const diagnosis::Belie
 }
 
 void run_trials(const std::vector<TrialTruth>& truths, const ProofSettings& settings, const ProofFolder& folder, const TrialRunner& run,
-                const ProofProgress& progress, const std::function<bool()>& interrupted) {
-    std::vector<const TrialTruth*> open;
-    for (const TrialTruth& truth : truths)
-        if (settings.shard.holds(truth.trial) && !folder.finished(truth.trial)) open.push_back(&truth);
-    for (std::size_t i = 0; i < open.size() && !interrupted(); ++i) {
-        const TrialResult result = run(*open[i], settings.keep ? folder.recordings_of(open[i]->trial) : fs::path());
+                const ProofProgress& progress, const std::function<bool()>& interrupted, std::function<std::optional<std::size_t>()> next) {
+    if (!next) next = [place = std::size_t{0}, &truths]() mutable { return place < truths.size() ? std::optional(place++) : std::nullopt; };
+    const auto open = [&](const TrialTruth& truth) { return settings.shard.holds(truth.trial) && !folder.finished(truth.trial); };
+    const std::size_t all = static_cast<std::size_t>(std::count_if(truths.begin(), truths.end(), open));
+    std::size_t done = 0;
+    for (std::optional<std::size_t> i; !interrupted() && (i = next());) {
+        const TrialTruth& truth = truths[*i];
+        if (!open(truth)) continue;
+        const TrialResult result = run(truth, settings.keep ? folder.recordings_of(truth.trial) : fs::path());
         if (interrupted()) return;
-        folder.keep(*open[i], result);
-        progress(i + 1, open.size(), result);
+        folder.keep(truth, result);
+        progress(++done, all, result);
     }
 }
 

@@ -59,9 +59,9 @@ class ProofFolder {
 /// Draws all trials of the proof.
 std::vector<TrialTruth> draw_trials(const CaseFile& file, const diagnosis::BelievedCase& believed, const ProofSettings& settings);
 
-/// Runs the trials of the shard that are not finished, until `interrupted`. A result that came while an end was asked for is not kept:
-/// it may have been cut short.
+/// Runs the trials that `next` gives (places in `truths`, until it gives nothing; without it all in order) and that belong to the shard
+/// and are not finished, until `interrupted`. A result that came while an end was asked for is not kept: it may have been cut short.
 void run_trials(const std::vector<TrialTruth>& truths, const ProofSettings& settings, const ProofFolder& folder, const TrialRunner& run,
-                const ProofProgress& progress, const std::function<bool()>& interrupted);
+                const ProofProgress& progress, const std::function<bool()>& interrupted, std::function<std::optional<std::size_t>()> next = {});
 
 }  // namespace railpem::app

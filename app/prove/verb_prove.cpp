@@ -2,9 +2,11 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <fstream>
 #include <memory>
+#include <optional>
 #include <sstream>
 
 #include "app/diagnosis_inputs.hpp"
@@ -16,6 +18,7 @@
 #include "app/prove/proof.hpp"
 #include "app/prove/score_tables.hpp"
 #include "app/verbs.hpp"
+#include "ranks/crew.hpp"
 
 namespace railpem::app {
 
@@ -58,7 +61,8 @@ std::string program_fingerprint() {
 /// A bar on a terminal, a line per trial elsewhere. What was hidden is not told before all is over.
 class Reporter {
   public:
-    explicit Reporter(std::string label) : bar_(std::move(label)), lines_(::isatty(STDERR_FILENO) != 1) {}
+    /// `processes`: how many share the trials, all of them about as fast.
+    Reporter(std::string label, int processes) : bar_(std::move(label)), lines_(::isatty(STDERR_FILENO) != 1), processes_(processes) {}
 
     void within(std::size_t done, std::size_t all, double share) {
         bar_.show(static_cast<std::size_t>(kParts * (static_cast<double>(done) + share)), kParts * all);
@@ -68,7 +72,7 @@ class Reporter {
         within(done, all, 0.0);
         if (!lines_) return;
         const double each = std::chrono::duration<double>(Clock::now() - begin_).count() / static_cast<double>(done);
-        const long remaining = std::lround(each * static_cast<double>(all - done));
+        const long remaining = std::lround(each * std::max(0.0, static_cast<double>(all) / processes_ - static_cast<double>(done)));
         fmt::print("trial {:4}  {:<16} {:5.0f} s  remaining {}:{:02}:{:02}\n", last.trial, last.failure.empty() ? last.verdict : "failed",
                    last.seconds_simulated + last.seconds_diagnosed, remaining / 3600, remaining / 60 % 60, remaining % 60);
         std::fflush(stdout);
@@ -78,12 +82,13 @@ class Reporter {
     static constexpr std::size_t kParts = 1000;
     ProgressBar bar_;
     bool lines_;
+    int processes_;
     Clock::time_point begin_ = Clock::now();
 };
 
-void run_open_trials(const std::vector<TrialTruth>& truths, const diagnosis::BelievedCase& believed, const ProofSettings& settings, const ProofFolder& folder) {
+void run_open_trials(const std::vector<TrialTruth>& truths, const diagnosis::BelievedCase& believed, const ProofSettings& settings, const ProofFolder& folder, ranks::Crew& crew) {
     const InterruptGuard guard;
-    Reporter reporter("proof");
+    Reporter reporter("proof", crew.size());
     std::size_t done = 0, all = 0;
     for (const TrialTruth& truth : truths) all += settings.shard.holds(truth.trial) && !folder.finished(truth.trial);
     TrialOptions options = settings.options;
@@ -98,7 +103,8 @@ void run_open_trials(const std::vector<TrialTruth>& truths, const diagnosis::Bel
         done = finished;
         reporter.finished(finished, open, last);
     };
-    run_trials(truths, settings, folder, run, progress, InterruptGuard::asked);
+    const std::unique_ptr<ranks::Dispenser> dispenser = crew.dispense(truths.size());
+    run_trials(truths, settings, folder, run, progress, InterruptGuard::asked, [&] { return dispenser->next(); });
 }
 
 void write_score(const std::vector<TrialTruth>& truths, const ProofFolder& folder, const std::string& settings) {
@@ -124,10 +130,15 @@ int prove(const ProveRequest& request) {
     const diagnosis::BelievedCase believed = believed_case(file);
     const std::string text = settings_text(file, settings);
     const std::vector<TrialTruth> truths = draw_trials(file, believed, settings);
-    const ProofFolder folder(request.folder, text);
-    folder.seal(truths);
-    run_open_trials(truths, believed, settings, folder);
-    if (settings.shard.count == 1) write_score(truths, folder, text);
+    const std::unique_ptr<ranks::Crew> crew = ranks::join_crew();
+    std::optional<ProofFolder> folder;
+    crew->first_then_others([&] {
+        folder.emplace(request.folder, text);
+        folder->seal(truths);
+    });
+    run_open_trials(truths, believed, settings, *folder, *crew);
+    crew->meet();
+    if (settings.shard.count == 1 && crew->rank() == 0) write_score(truths, *folder, text);
     return 0;
 }
 

@@ -1,0 +1,132 @@
+#include "app/diagnosis_request.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "app/diagnosed_case.hpp"
+#include "app/diagnosis_inputs.hpp"
+#include "app/diagnosis_json.hpp"
+#include "app/diagnosis_report.hpp"
+#include "app/diagnosis_tables.hpp"
+#include "app/input_error.hpp"
+#include "app/inspection_beliefs.hpp"
+#include "diagnosis/diagnose.hpp"
+#include "diagnosis/observe_scalars.hpp"
+#include "recordings/inspection.hpp"
+
+namespace railpem::app {
+
+namespace {
+
+struct LoadedRecordings {
+    std::vector<diagnosis::Observation> observations;
+    std::vector<std::vector<std::string>> faults;             ///< per observation
+    std::vector<std::vector<std::string>> channels_not_used;  ///< per observation
+    std::vector<bool> irregularity_measured;                  ///< per observation
+    std::vector<recordings::MeasuredIrregularity> irregularity;
+
+    void add(const diagnosis::Observation& observation, std::vector<std::string> own_faults, std::vector<std::string> not_used) {
+        observations.push_back(observation);
+        faults.push_back(std::move(own_faults));
+        channels_not_used.push_back(std::move(not_used));
+    }
+};
+
+/// Channels of spectra that the case does not have.
+std::vector<std::string> unused_spectra(const recordings::Recording& recording, const diagnosis::Observation& observation) {
+    std::vector<std::string> names;
+    for (const recordings::ChannelSpectrum& spectrum : recording.spectra)
+        if (std::find(observation.channel_names.begin(), observation.channel_names.end(), spectrum.description.name) == observation.channel_names.end())
+            names.push_back(spectrum.description.name);
+    return names;
+}
+
+/// Recordings that are the same file twice would count the same evidence twice.
+void check_distinct(const DiagnosisRequest& request) {
+    std::set<std::string> seen;
+    std::error_code ignored;
+    for (const std::string& path : request.recordings)
+        if (!seen.insert(std::filesystem::weakly_canonical(path, ignored).string()).second)
+            throw InputError(fmt::format("{}: the same recording twice would count its evidence twice\nallowed: each recording once", path));
+}
+
+LoadedRecordings load_recordings(const DiagnosisRequest& request, const CaseFile& file, const diagnosis::BelievedCase& believed) {
+    LoadedRecordings loaded;
+    std::set<std::string> data_files;
+    for (const std::string& path : request.recordings) {
+        const RecordingFile description = read_recording(path);
+        const recordings::Recording recording = load_recording(description);
+        if (!data_files.insert(std::filesystem::weakly_canonical(recording.file).string()).second)
+            throw InputError(fmt::format("{}: the same data file twice would count its evidence twice\nallowed: data of its own for each recording", path));
+        loaded.irregularity_measured.push_back(recording.irregularity.brought());
+        if (recording.irregularity.brought()) loaded.irregularity.push_back(recording.irregularity);
+        const diagnosis::ObservationOptions options{.window_s = request.window_s, .held_out_share = request.held_out};
+        const bool series = recording.description.kind == recordings::RecordingKind::timeseries;
+        const auto observation = reading_data(description, [&] {
+            return series ? diagnosis::observe(recording, description.name, believed.numbers, options)
+                          : diagnosis::observe_scalars(recording, description.name, believed.numbers, options);
+        });
+        if (!series) {  // nothing to inspect: what it lacks is part of what the verdict rests on
+            loaded.add(observation, {}, unused_spectra(recording, observation));
+            continue;
+        }
+        const recordings::InspectionReport inspection = recordings::inspect(recording, inspection_beliefs(file, description));
+        std::vector<std::string> faults, not_used;
+        for (const recordings::Fault& fault : inspection.faults) {
+            if (fault.severity != recordings::Severity::note) faults.push_back(fault.says);
+            // At another speed nothing lies where it is looked for, and no fit would come near.
+            if (fault.kind == recordings::FaultKind::speed_mismatch && fault.severity == recordings::Severity::error)
+                throw InputError(fmt::format("{}: {}\nallowed: the speed of the record, in m/s", path, fault.says));
+        }
+        for (const recordings::Channel& channel : recording.series.channels)
+            if (std::find(observation.channel_names.begin(), observation.channel_names.end(), channel.description.name) == observation.channel_names.end())
+                not_used.push_back(channel.description.name);
+        loaded.add(observation, std::move(faults), std::move(not_used));
+    }
+    return loaded;
+}
+
+}  // namespace
+
+diagnosis::Diagnosis run_diagnosis(const CaseFile& file, const DiagnosisRequest& request, const DiagnosisObserver& observer,
+                                   const std::function<void()>& ready) {
+    check_distinct(request);
+    diagnosis::BelievedCase believed = believed_case(file);
+    const LoadedRecordings loaded = load_recordings(request, file, believed);
+    believed.measured_irregularity = loaded.irregularity;
+    ready();
+    diagnosis::DiagnoseOptions options{.threads = request.threads};
+    options.naming.most_effects = request.most_effects;
+    options.progress = [&](const std::string&, double share) { observer.progress(share); };
+    options.interrupted = observer.interrupted;
+    diagnosis::Diagnosis result = diagnosis::diagnose(believed, loaded.observations, options);
+    for (std::size_t o = 0; o < result.recordings.size(); ++o) {
+        result.recordings[o].faults = loaded.faults[o];
+        result.recordings[o].irregularity_measured = loaded.irregularity_measured[o];
+        result.recordings[o].channels_not_used = loaded.channels_not_used[o];
+    }
+    return result;
+}
+
+void write_diagnosis(OutputFolder& folder, const diagnosis::Diagnosis& result, const DiagnosisRequest& request) {
+    folder.write("diagnosis.json", diagnosis_json(result));
+    for (const TextFile& table : diagnosis_tables(result)) folder.write(table.name, table.text);
+    folder.write("report.html", diagnosis_report(result, command_of(request, folder.path().string())));
+    folder.write(kDiagnosedIrregularity, irregularity_text(result.diagnosed_numbers));
+    folder.write("diagnosed.toml", diagnosed_case_text(result));
+}
+
+std::string command_of(const DiagnosisRequest& request, const std::string& folder) {
+    std::string text = "railpem diagnose " + request.case_path;
+    for (const std::string& path : request.recordings) text += " " + path;
+    for (const std::string& option : request.set) text += " --set '" + option + "'";
+    const DiagnosisRequest usual;
+    if (request.window_s != usual.window_s) text += fmt::format(" --window {:g}", request.window_s);
+    if (request.held_out != usual.held_out) text += fmt::format(" --held-out {:g}", request.held_out);
+    if (request.most_effects != usual.most_effects) text += fmt::format(" --most-effects {}", request.most_effects);
+    return text + " --out " + folder;
+}
+
+}  // namespace railpem::app

@@ -1,0 +1,38 @@
+# Debian packages: railpem, librailpem-dev, python3-railpem. What a package needs of shared libraries dpkg-shlibdeps reads from it.
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME railpem)
+set(CPACK_PACKAGE_CONTACT "the authors of railpem <root@localhost>")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_COMPONENTS_ALL program development)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+
+set(processor "")
+if(RAILPEM_MARCH AND RAILPEM_MARCH_KNOWN)
+  set(processor "\nThis build needs a processor of the kind ${RAILPEM_MARCH}.")
+endif()
+set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "Vehicle-track dynamics: prediction and diagnosis\nRandom vibration of a railway vehicle on its track, and what a simulation left out, told from recordings.${processor}")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME railpem)
+
+set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "Vehicle-track dynamics: libraries for CMake projects\nStatic libraries and headers of railpem, found by find_package(railpem).${processor}")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME librailpem-dev)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
+    "g++, pkg-config, libeigen3-dev, libfmt-dev, nlohmann-json3-dev, libcli11-dev, libhdf5-dev, libmatio-dev, libsndfile1-dev, zlib1g-dev")
+if(RAILPEM_MPI)
+  string(APPEND CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS ", libopenmpi-dev")
+endif()
+
+if(RAILPEM_PYTHON)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+  find_package(Python 3.11 REQUIRED COMPONENTS Interpreter)  # the one that python/ was built for
+  math(EXPR next_minor "${Python_VERSION_MINOR} + 1")
+  set(CPACK_COMPONENT_PYTHON_DESCRIPTION "Vehicle-track dynamics: module for Python\nThe verbs of railpem as functions, their results as numpy arrays.${processor}")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-railpem)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.${Python_VERSION_MINOR}), python3 (<< 3.${next_minor}), python3-numpy")
+endif()
+include(CPack)
