@@ -123,6 +123,29 @@ std::vector<EffectSet> posterior_of(const NamingResult& naming, const Decision& 
     return posterior;
 }
 
+namespace {
+
+/// How a set's probability is shared among its members: by what each brings beside the others, so that a small correction of a large
+/// effect does not stand beside it as an equal.
+std::vector<double> shares_of(const FittedSet& set, const NamingResult& naming) {
+    std::vector<double> shares;
+    double sum = 0.0;
+    for (std::size_t i = 0; i < set.members(); ++i) {
+        double without = naming.retuned.score();
+        FittedSet rest{.effects = set.effects, .released = set.released};
+        if (i < set.effects.size()) rest.effects.erase(rest.effects.begin() + static_cast<long>(i));
+        else rest.released.erase(rest.released.begin() + static_cast<long>(i - set.effects.size()));
+        for (const FittedSet& other : naming.sets)
+            if (contains(rest, other)) without = std::max(without, other.score());
+        shares.push_back(std::max(1.0, set.score() - without));
+        sum += shares.back();
+    }
+    for (double& share : shares) share /= sum;
+    return shares;
+}
+
+}  // namespace
+
 std::vector<PlaceEvidence> place_probabilities(const NamingResult& naming, const PlaceStudy& places, const Decision& decision) {
     std::map<Element, PlaceEvidence> found;
     for (const PlaceEvidence& place : places.at_retuned) found[place.element] = {place.element, 0.0, place.nats};
@@ -132,9 +155,10 @@ std::vector<PlaceEvidence> place_probabilities(const NamingResult& naming, const
     sum += weight_of(naming.retuned.score(), best);
     for (const FittedSet& set : naming.sets) {
         const std::vector<Element> elements = elements_of(set, nullptr);
-        for (const Element element : elements) {
-            found[element].element = element;
-            found[element].probability += weight_of(set.score(), best) / sum / static_cast<double>(elements.size());
+        const std::vector<double> shares = shares_of(set, naming);
+        for (std::size_t i = 0; i < elements.size(); ++i) {
+            found[elements[i]].element = elements[i];
+            found[elements[i]].probability += weight_of(set.score(), best) / sum * shares[i];
         }
     }
     // What has no name sits where a free correction helps most.

@@ -9,7 +9,11 @@ namespace {
 
 const VerdictThresholds thresholds{};
 
-Candidate member(const std::string& effect) { return {.instance = {.effect = effect, .values = {}, .choices = {}}}; }
+Candidate member(const std::string& effect) {
+    Candidate own{.instance = {.effect = effect, .values = {}, .choices = {}}};
+    if (effect == "sensor-gain") own.instance.choices["channel"] = "bogie_1";
+    return own;
+}
 
 FittedSet set_of(const std::vector<std::string>& effects, const std::vector<std::string>& released, double score, double held_out) {
     FittedSet set{.released = released, .held_out = held_out};
@@ -102,6 +106,14 @@ TEST(Decide, WithholdsTheNameWhereMoreIsLeftThanChance) {
     EXPECT_EQ(decide(naming, places, thresholds).verdict, Verdict::unexplained);
     const NamingResult large = naming_of({set_of({"rail-shear"}, {}, 10000.0, 10.0)});
     EXPECT_EQ(decide(large, places, thresholds).verdict, Verdict::explained) << "a thousandth of what it explains";
+}
+
+TEST(Places, ShareASetByWhatItsMembersBring) {
+    const NamingResult naming = naming_of({set_of({"sensor-gain", "rail-shear"}, {}, 1000.0, 10.0), set_of({"rail-shear"}, {}, 900.0, 10.0), set_of({"sensor-gain"}, {}, 20.0, 10.0)});
+    Decision decision;
+    const std::vector<PlaceEvidence> places = place_probabilities(naming, {}, decision);
+    EXPECT_EQ(places.front().element, Element::rail);
+    EXPECT_NEAR(places.front().probability, 980.0 / 1080.0, 1e-6);
 }
 
 TEST(Posterior, SumsToOne) {
