@@ -15,7 +15,7 @@ namespace railpem::diagnosis {
 struct NamingOptions {
     int most_effects = 3;
     int refits = 7;             ///< candidates refitted in the first round
-    int later_refits = 6;       ///< and in each further one
+    int later_refits = 3;       ///< and in each further one
     double least_promise = 7.0; ///< nats to first order that deserve a refit
     double residual = 12.0;     ///< nats that free corrections may promise by chance; more, and the search starts again from afar
     double least_gain = 5.0;    ///< nats of log-evidence with prior that a further member must bring
