@@ -109,7 +109,7 @@ def plot(stages, section, path):
         axis.set(title=title, xlabel="third-octave, Hz")
         axis.grid(True, which="both", alpha=0.3)
     axes[0].set_ylabel("decay rate, dB/m")
-    axes[0].legend(fontsize=8)
+    axes[1].legend(fontsize=8, loc="lower left")  # where no curve runs
     figure.suptitle(f"Niederwangen, section {section}, vertical")
     figure.tight_layout()
     figure.savefig(path, dpi=110)

@@ -12,6 +12,7 @@ import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
+from matplotlib.ticker import FixedLocator, FuncFormatter, NullFormatter
 import numpy as np
 
 CONCEALED_DB = 0.3  # by eye nothing is wrong
@@ -91,6 +92,11 @@ def draw_concealment(rows):
     axes.plot(span, span, color="grey", linewidth=0.8)
     axes.set(xscale="log", yscale="log", xlim=span, ylim=span, xlabel="third-octave misfit after retuning, dB rms", ylabel="before retuning, dB rms",
              title="Shaded: by eye nothing is wrong after retuning")
+    ticks = [t for t in (0.1, 0.2, 0.3, 0.5, 1.0, 2.0, 3.0, 5.0, 10.0, 20.0, 50.0) if span[0] <= t <= span[1]]
+    for axis in (axes.xaxis, axes.yaxis):  # less than two decades: powers of ten alone would leave a single number
+        axis.set_major_locator(FixedLocator(ticks))
+        axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+        axis.set_minor_formatter(NullFormatter())
     if groups:
         axes.legend(fontsize=8)
     return figure
@@ -126,7 +132,8 @@ def draw_detectability(score, rows):
         if name in inverted:
             ends.reverse()
         axes.annotate(f"{ends[0]:.3g}", (-0.03, level), ha="right", va="center", fontsize=7)
-        axes.annotate(f"{ends[-1]:.3g}", (1.03, level), ha="left", va="center", fontsize=7)
+        if len(ends) > 1:
+            axes.annotate(f"{ends[-1]:.3g}", (1.03, level), ha="left", va="center", fontsize=7)
     axes.set_yticks(range(len(names)), names, fontsize=8)
     axes.set(xlim=(-0.4, 1.4), xticks=[], xlabel="weakest to strongest drawn, each on its own logarithmic scale", title="How strong an effect has to be")
     axes.hlines(range(len(names)), 0.0, 1.0, color="lightgrey", linewidth=0.8)
