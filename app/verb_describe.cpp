@@ -42,6 +42,8 @@ int describe(const std::string& subject) {
 void add_describe(CLI::App& program, Run& run) {
     const auto subject = std::make_shared<std::string>();
     CLI::App* verb = program.add_subcommand("describe", "print the reference page of an input file");
+    verb->footer("Example:\n"
+                 "  railpem describe effects");
     verb->add_option("SUBJECT", *subject, "case, effects, recording or sweep")->required();
     verb->callback([subject, &run] { run = [subject] { return describe(*subject); }; });
 }

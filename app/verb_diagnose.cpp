@@ -42,6 +42,8 @@ void add_diagnose(CLI::App& program, Run& run) {
     const auto request = std::make_shared<DiagnoseRequest>();
     CLI::App* verb = program.add_subcommand(
         "diagnose", "what a believed case left out, told from recordings: DIR/diagnosis.json, DIR/report.html, DIR/diagnosed.toml and spectra");
+    verb->footer("Example:\n"
+                 "  railpem diagnose case.toml run_15 run_22 run_33 --out out");
     verb->add_option("CASE", request->diagnosis.case_path, "the case that was believed")->required();
     verb->add_option("RECORDING", request->diagnosis.recordings, "recordings of the same vehicle and track, several speeds or loads together")->required();
     verb->add_option("--out", request->folder, "folder for the results")->required()->type_name("DIR");

@@ -107,14 +107,17 @@ void add_simulate(CLI::App& program, Run& run) {
     CLI::App* verb = program.add_subcommand(
         "simulate",
         "a recording marched in time, with or without hidden effects: DIR/recording.toml and DIR/recording.csv");
+    verb->footer("Examples:\n"
+                 "  railpem simulate --list\n"
+                 "  railpem simulate case.toml --seconds 60 --seed 1 --out run1 --truth run1.json --hide pad-frequency-exponent:exponent=0.15");
     verb->add_option("CASE", request->simulation.path, "case file");
     verb->add_option("--hide", request->simulation.hide, "conceal an effect in it: EFFECT[:parameter=value,…]; may be repeated")
         ->type_name("EFFECT")
         ->allow_extra_args(false);
-    verb->add_option("--seconds", request->seconds, "length of the record in s")->type_name("T");
-    verb->add_option("--seed", request->seed, "draws track and noise; the same seed gives the same bits")
+    verb->add_option("--seconds", request->seconds, "length of the record in s; required")->type_name("T");
+    verb->add_option("--seed", request->seed, "draws track and noise; the same seed gives the same bits; required")
         ->type_name("N");
-    verb->add_option("--out", request->folder, "folder for the recording")->type_name("DIR");
+    verb->add_option("--out", request->folder, "folder for the recording; required")->type_name("DIR");
     verb->add_option("--truth", request->truth,
                      "file for what is hidden and how the record was made (JSON); nothing says it elsewhere")
         ->type_name("FILE");

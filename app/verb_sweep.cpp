@@ -100,6 +100,8 @@ int sweep(const SweepRequest& request) {
 void add_sweep(CLI::App& program, Run& run) {
     const auto request = std::make_shared<SweepRequest>();
     CLI::App* verb = program.add_subcommand("sweep", "many cases: DIR/<sweep>.csv, one long table; goes on where it was interrupted");
+    verb->footer("Example:\n"
+                 "  railpem sweep cases/wei2016/pads.sweep.toml --out out");
     verb->add_option("SWEEP", request->sweep, "sweep file")->required();
     verb->add_option("--out", request->folder, "folder for the results")->required()->type_name("DIR");
     verb->add_option("--format", request->format, "csv or hdf5; without it as the sweep file says, else HDF5 beyond 100 MB")->check(CLI::IsMember({"csv", "hdf5"}));

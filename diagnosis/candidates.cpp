@@ -149,16 +149,16 @@ void add_values(const Effect& effect, std::size_t index, const EffectInstance& s
 
 constexpr double kProbe = 1e-6;  ///< of the range: second order stays below the noise
 
-/// Effects that add power of their own, or replace something: their first derivative at nothing says nothing.
-bool adds_power(const EffectInstance& instance) {
-    for (const char* id : {"wheel-out-of-roundness", "rail-corrugation", "rail-joints", "sensor-noise", "failed-fasteners", "pad-hysteresis", "suspension-friction"})
-        if (instance.effect == id) return true;
-    return instance.effect == "sensor-gain" && instance.values.at("gain") < 0.0;
+/// A strength on the other side of zero (an inverted channel): no derivative leads there.
+bool is_inverted(const Effect& effect, const EffectInstance& instance) {
+    return std::any_of(effect.parameters.begin(), effect.parameters.end(), [&](const EffectParameter& parameter) {
+        return parameter.strength && std::isfinite(parameter.nothing) && instance.values.count(parameter.name) && instance.values.at(parameter.name) * parameter.nothing < 0.0;
+    });
 }
 
-/// Its square is the power that an effect adds.
-bool is_amplitude(const EffectParameter& parameter) {
-    return parameter.strength && (parameter.name == "amplitude_m" || parameter.name == "rms_m" || parameter.name == "depth_m" || parameter.name == "rms_m_per_s2" || parameter.name == "force_n");
+/// Whether screening looks where the instance stands, because its first derivative at nothing says nothing.
+bool is_probed_at_strength(const Effect& effect, const EffectInstance& instance) {
+    return effect.replaces || effect.onset != Onset::linear || is_inverted(effect, instance);
 }
 
 /// A strength `steps` probes away from nothing.
@@ -168,24 +168,18 @@ double near_nothing(const EffectParameter& parameter, double steps) {
     return parameter.nothing + kProbe * steps * towards;
 }
 
-}  // namespace
-
-bool is_switch(const Effect& effect) {
-    return !effect.parameters.empty() && std::none_of(effect.parameters.begin(), effect.parameters.end(), [](const EffectParameter& parameter) { return parameter.strength; });
-}
-
-namespace {
-
 EffectInstance probe_of(const Effect& effect, EffectInstance instance) {
-    if (adds_power(instance)) return instance;
+    if (is_probed_at_strength(effect, instance)) return instance;
     for (const EffectParameter& parameter : effect.parameters)
         if (parameter.strength && instance.values.count(parameter.name)) instance.values[parameter.name] = near_nothing(parameter, 1.0);
     return instance;
 }
 
+/// Nothing lies inside the range of a strength: it may go either way.
 bool is_two_sided(const Effect& effect) {
-    return effect.id == "sensor-gain" || effect.id == "timing-skew" || effect.id == "irregularity-spectrum" || effect.id == "sleeper-passing" ||
-           effect.id == "contact-nonlinearity";
+    return std::any_of(effect.parameters.begin(), effect.parameters.end(), [](const EffectParameter& parameter) {
+        return parameter.strength && parameter.nothing > parameter.low && parameter.nothing < parameter.high;
+    });
 }
 
 }  // namespace
@@ -221,15 +215,15 @@ CandidateList candidates(const BelievedCase& believed, const Trial& trial, const
 
 Candidate started_at(const Candidate& candidate, double strength) {
     Candidate started = candidate;
-    const bool power = adds_power(candidate.instance);
-    for (const EffectParameter& parameter : find_effect(candidate.instance.effect)->parameters)
-        if (power && is_amplitude(parameter) && candidate.instance.values.count(parameter.name) && strength > 0.0)
-            started.instance.values[parameter.name] =
-                std::clamp(candidate.instance.values.at(parameter.name) * std::sqrt(strength), parameter.low, parameter.high);
-    if (power) return started;
-    for (const EffectParameter& parameter : find_effect(candidate.instance.effect)->parameters)
-        if (parameter.strength && candidate.instance.values.count(parameter.name) && std::abs(strength) > 1.0)
-            started.instance.values[parameter.name] = std::clamp(near_nothing(parameter, strength), parameter.low, parameter.high);
+    const Effect& effect = *find_effect(candidate.instance.effect);
+    const bool at_strength = is_probed_at_strength(effect, candidate.instance);
+    if (at_strength && !(effect.onset == Onset::quadratic && strength > 0.0)) return started;
+    for (const EffectParameter& parameter : effect.parameters) {
+        if (!parameter.strength || !candidate.instance.values.count(parameter.name)) continue;
+        double& value = started.instance.values[parameter.name];
+        if (at_strength) value = std::clamp(value * std::sqrt(strength), parameter.low, parameter.high);
+        else if (std::abs(strength) > 1.0) value = std::clamp(near_nothing(parameter, strength), parameter.low, parameter.high);
+    }
     return started;
 }
 

@@ -27,9 +27,6 @@ struct CandidateList {
     std::vector<NotTested> not_tested;
 };
 
-/// Whether no parameter of the physics is a strength: it is there or not, and a derivative at nothing has nothing to say.
-bool is_switch(const Effect& effect);
-
 /// All variants of all effects that the case allows and the recordings could show: each wheel and order whose line lies
 /// in the band, each channel, each stage, and a grid over parameters that are no strength (frequencies, wavelengths).
 /// Values beyond tolerance (parameter-error) are not among them: the retuned fit tells those by itself.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <type_traits>
 
 #include "diagnosis/shows.hpp"
 #include "pem/solution.hpp"
@@ -17,22 +18,30 @@ constexpr int kNodes = 7;              ///< of a correction: one an octave
 constexpr double kDeviation = 0.3;     ///< of a correction: what is left out moves a place by tens of percent
 constexpr double kStep = 1e-6;
 
-lanes::FactorCurve& curve_of(pem::CaseParameters& parameters, const CorrectionPlace& place) {
+/// The correction of a place of the structure, null for the others; of a constant case a constant one.
+template <class Case>
+auto* structure_curve(Case& parameters, const CorrectionPlace& place) {
+    using Curve = std::conditional_t<std::is_const_v<Case>, const lanes::FactorCurve, lanes::FactorCurve>;
+    Curve* none = nullptr;
+    const std::size_t which = static_cast<std::size_t>(std::max(0, place.which - 1));
     switch (place.element) {
-        case Element::secondary: return parameters.vehicle.secondary.correction;
-        case Element::primary: return parameters.vehicle.primary.correction;
-        case Element::body: return parameters.vehicle.body_correction;
-        case Element::bogie:
-            return place.which == 0 ? parameters.vehicle.bogie_correction : parameters.vehicle.one_bogie_correction[static_cast<std::size_t>(place.which - 1)];
-        case Element::wheel:
-            return place.which == 0 ? parameters.vehicle.wheel_correction : parameters.vehicle.one_wheelset_correction[static_cast<std::size_t>(place.which - 1)];
-        case Element::contact: return parameters.contact.correction;
-        case Element::rail: return parameters.track.rail.correction;
-        case Element::pad: return parameters.track.pads.correction;
-        case Element::support: return parameters.track.support.correction;
+        case Element::secondary: return &parameters.vehicle.secondary.correction;
+        case Element::primary: return &parameters.vehicle.primary.correction;
+        case Element::body: return &parameters.vehicle.body_correction;
+        case Element::bogie: return place.which == 0 ? &parameters.vehicle.bogie_correction : &parameters.vehicle.one_bogie_correction[which];
+        case Element::wheel: return place.which == 0 ? &parameters.vehicle.wheel_correction : &parameters.vehicle.one_wheelset_correction[which];
+        case Element::contact: return &parameters.contact.correction;
+        case Element::rail: return &parameters.track.rail.correction;
+        case Element::pad: return &parameters.track.pads.correction;
+        case Element::support: return &parameters.track.support.correction;
         case Element::irregularity: break;
         case Element::sensor: break;
     }
+    return none;
+}
+
+lanes::FactorCurve& curve_of(pem::CaseParameters& parameters, const CorrectionPlace& place) {
+    if (lanes::FactorCurve* structure = structure_curve(parameters, place)) return *structure;
     for (pem::SensorParameters& sensor : parameters.sensors)
         if (sensor.channel == place.channel) return sensor.correction;
     parameters.sensors.push_back({.channel = place.channel});
@@ -87,8 +96,8 @@ Unknown spectrum_unknown(const std::vector<double>& nodes, std::size_t node) {
 
 const lanes::FactorCurve& correction_at(const pem::CaseParameters& parameters, const CorrectionPlace& place) {
     static const lanes::FactorCurve none;
-    if (place.element == Element::irregularity || place.element == Element::sensor) return none;
-    return curve_of(const_cast<pem::CaseParameters&>(parameters), place);  // adds nothing but for a sensor
+    const lanes::FactorCurve* own = structure_curve(parameters, place);
+    return own ? *own : none;
 }
 
 std::vector<double> correction_nodes(const std::vector<Observation>& observations) {

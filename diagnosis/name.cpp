@@ -7,6 +7,8 @@
 #include <limits>
 #include <map>
 
+#include "diagnosis/comb_relatives.hpp"
+
 namespace railpem::diagnosis {
 
 namespace {
@@ -162,7 +164,7 @@ class Search {
         for (const Candidate& candidate : result_.candidates) {
             const Effect& effect = *find_effect(candidate.instance.effect);
             const Element element = element_of(effect, candidate.instance);
-            if (element == Element::sensor || element == Element::irregularity || effect.id == "wheel-out-of-roundness" || effect.id == "failed-fasteners" || effect.id == "contact-nonlinearity") continue;
+            if (element == Element::sensor || element == Element::irregularity || effect.onset != Onset::linear) continue;
             const std::string label = label_of(candidate.instance);
             if (!is_evident(element) || std::find(done.begin(), done.end(), label) != done.end()) continue;
             done.push_back(label);
@@ -264,7 +266,37 @@ class Search {
         members.push_back(best.candidate);
         // What replaces a law of the case begins far below it, however mild: it gets the way of the retuned case, blunt first.
         const bool far = best.log_posterior < near.log_posterior - kFar;
-        return try_set(best.near, std::move(members), std::move(released), share, far);
+        try_set(best.near, std::move(members), std::move(released), share, far);
+        return try_relatives(result_.sets.size() - 1, share);
+    }
+
+    /// A comb of lines is fitted again from the best of the distances that share lines with it. The better of both.
+    const FittedSet& try_relatives(std::size_t index, double share) {
+        const FittedSet& fitted = result_.sets[index];
+        const std::vector<Candidate> members = fitted.effects;
+        const std::vector<std::string> released = fitted.released;
+        Fit best;
+        double highest = fitted.fit.log_posterior - kFar;
+        for (const EffectInstance& relative : comb_relatives(fitted.fit.trial.effects.back())) {
+            Fit near{.trial = fitted.fit.trial, .unknowns = fitted.fit.unknowns, .values = fitted.fit.values};
+            move_last(near, relative);
+            const Supposition supposition = suppose(believed_, near, members, released, {}, context_);
+            if (const double own = log_posterior_at(supposition.trial, supposition.unknowns, supposition.start, context_); own > highest) highest = own, best = std::move(near);
+        }
+        if (best.unknowns.empty()) return fitted;
+        const FittedSet& other = try_set(best, members, released, share);
+        return other.score() > result_.sets[index].score() ? other : result_.sets[index];
+    }
+
+    /// Gives the last effect of a fit other values.
+    static void move_last(Fit& fit, const EffectInstance& values) {
+        const Effect& effect = *find_effect(values.effect);
+        const int last = static_cast<int>(fit.trial.effects.size()) - 1;
+        for (std::size_t u = 0; u < fit.unknowns.size(); ++u) {
+            if (fit.unknowns[u].kind != UnknownKind::effect || fit.unknowns[u].index != last) continue;
+            for (const EffectParameter& parameter : effect.parameters)
+                if (fit.unknowns[u].name == effect.id + "." + parameter.name) fit.values[u] = to_coordinate(parameter, values.values.at(parameter.name));
+        }
     }
 
     /// What replaces a law competes wherever something else at its place is worth a refit.
@@ -281,12 +313,12 @@ class Search {
         }
     }
 
-    /// Effects that no derivative at nothing can promise are tried beside every set of something else.
+    /// What replaces a law of the case is tried beside every set of something else: no derivative at nothing can promise it.
     void add_unpromised(const std::vector<Promise>& promises, std::vector<Starts>& chosen) const {
         for (const Promise& promise : promises) {
             const EffectInstance& instance = result_.candidates[promise.candidate].instance;
             const Effect& effect = *find_effect(instance.effect);
-            if (!effect.replaces && !is_switch(effect)) continue;
+            if (!effect.replaces) continue;
             const auto same = [&](const Starts& own) { return same_variant(result_.candidates[own.front().candidate].instance, instance); };
             if (std::none_of(chosen.begin(), chosen.end(), same)) chosen.push_back({promise});
         }

@@ -68,6 +68,9 @@ void set_band(Observation& observation, const recordings::WindowKernel& kernel, 
     observation.expectation.weights = expectation_weights(kernel, observation.expectation.oversampling);
     const auto [longest, shortest] = wavelengths(believed.irregularity);
     const double v = observation.speed_m_per_s;
+    if (!(v > 0.0))
+        throw parameters::ParameterError("speed_m_per_s", "is missing: a time series is told from others by how fast the irregularity passes",
+                                         "the mean speed in m/s, to a percent or so (its error is estimated)");
     observation.expectation.low_hz = std::max(options.low_hz, v / longest / kEdge);
     observation.expectation.high_hz = std::min({options.high_hz, kEdge * v / shortest, 0.4 * kernel.sampling_rate_hz});
     observation.expectation.oversampling = kOversampling;

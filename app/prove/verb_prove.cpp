@@ -148,6 +148,9 @@ void add_prove(CLI::App& program, Run& run) {
     const auto request = std::make_shared<ProveRequest>();
     CLI::App* verb = program.add_subcommand(
         "prove", "trials in which effects are hidden and the diagnosis has to find them: DIR/score.json, DIR/trials.csv; goes on where it was interrupted");
+    verb->footer("Examples:\n"
+                 "  railpem prove --quick --out out\n"
+                 "  railpem prove --trials 300 --seed 1 --shard 1/2 --out out    (and 2/2 on another machine)");
     verb->add_option("--trials", request->trials, "number of trials; 8 without it")->check(CLI::Range(std::size_t{1}, std::size_t{100000}))->type_name("N");
     verb->add_option("--seed", request->seed, "draws all trials; 1 without it")->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1} << 62))->type_name("S");
     verb->add_option("--out", request->folder, "folder for truths, trials and score")->required()->type_name("DIR");

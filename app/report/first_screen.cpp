@@ -77,9 +77,11 @@ std::string hidden_tile(const Diagnosis& diagnosis) {
 
 /// Of what the verdict says: the named set, nothing, or something without a name. NaN where several sets are named.
 double verdict_probability(const Diagnosis& diagnosis) {
+    std::vector<std::string> named;
+    for (const diagnosis::NamedEffect& effect : diagnosis.omitted) named.push_back(effect.instance.effect);
     const auto is_meant = [&](const diagnosis::EffectSet& set) {
         if (diagnosis.verdict == Verdict::consistent) return set.effects.empty();
-        if (diagnosis.verdict == Verdict::explained || diagnosis.verdict == Verdict::recording_fault) return set.effects.size() == diagnosis.omitted.size() && !set.effects.empty();
+        if (diagnosis.verdict == Verdict::explained || diagnosis.verdict == Verdict::recording_fault) return set.effects == named;
         return false;
     };
     const auto found = std::find_if(diagnosis.posterior.begin(), diagnosis.posterior.end(), is_meant);

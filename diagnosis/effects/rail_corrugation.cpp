@@ -38,6 +38,7 @@ Effect rail_corrugation() {
         .mimics =
             "A resonance (bending of the wheelset, a support) stays at its frequency when the speed changes; a "
             "corrugation stays at its wavelength. An out-of-round wheel shows on one axle box.",
+        .onset = Onset::quadratic,
         .obstacle = {},
         .apply =
             [](pem::CaseParameters& parameters, const EffectInstance& effect, const ParameterAccess&) {

@@ -16,6 +16,7 @@ Effect rail_joints() {
                         .high = 120.0,
                         .typical = 25.0,
                         .spread = Spread::logarithmic,
+                        .comb = true,
                         .says = "distance between joints or welds"},
                        {.name = "depth_m",
                         .unit = "m",
@@ -38,6 +39,7 @@ Effect rail_joints() {
         .mimics =
             "A rougher track: where the lines are closer than the resolution only their impulsive shape in time "
             "remains. Regularly failed fasteners have lines of the same kind; theirs follow the wheel load.",
+        .onset = Onset::quadratic,
         .obstacle = {},
         .apply =
             [](pem::CaseParameters& parameters, const EffectInstance& effect, const ParameterAccess&) {

@@ -30,6 +30,7 @@ Effect rail_shear() {
             "A rail with less bending stiffness (parameter-error of track.rail.second_moment_of_area_m4) is as soft "
             "at one frequency; a receptance at mid-bay and over a pad, or the pinned–pinned frequency, separates. "
             "In a running train it shows mostly as a larger sleeper-passing line.",
+        .replaces = true,
         .obstacle = [](const pem::CaseParameters& parameters) -> std::optional<Obstacle> {
             if (parameters.track.rail.beam == track::Beam::euler) return std::nullopt;
             return Obstacle{"the rail of the case shears already",

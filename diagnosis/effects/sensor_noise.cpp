@@ -31,6 +31,7 @@ Effect sensor_noise() {
         .elements = {Element::sensor},
         .bands = {{0.3, 500.0}},
         .mimics = "More vibration at that place: but that is coherent with the other channels, noise is not.",
+        .onset = Onset::quadratic,
         .obstacle = {},
         .apply =
             [](pem::CaseParameters& parameters, const EffectInstance& effect, const ParameterAccess&) {

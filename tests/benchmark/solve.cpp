@@ -7,7 +7,7 @@
 #include <array>
 #include <numbers>
 
-#include "../verification/pem/paper_case.hpp"
+#include "../verification/pem/every_track_effect.hpp"
 #include "pem/coupled_model.hpp"
 #include "pem/passing_lines.hpp"
 #include "pem/solution.hpp"
@@ -121,17 +121,8 @@ BENCHMARK(case_3_all_outputs)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->Us
 
 /// Case 3, whose pads stiffen under load and with frequency, with all other effects of the catalogue whose place is rail, pad or support, and the
 /// irregularities that make lines.
-pem::CaseParameters every_track_effect() {
-    pem::CaseParameters c = tests::paper_case(3);
-    c.track.pads.causal = true;
-    c.track.pads.loss_factor = 0.2;
-    c.track.rail.beam = track::Beam::timoshenko;
-    c.track.rail.cross_section_m2 = 60.64 / 7850.0;
-    c.track.support = {.model = track::SupportModel::two_layer, .mass_kg = 150.0, .stiffness_n_per_m = 60e6, .loss_factor = 0.5,
-                       .bending_modes = {{.frequency_hz = 120.0, .loss_factor = 0.02, .modal_mass_kg = 80.0}}};
-    c.track.rail_dampers = {{.mass_kg_per_m = 15.0, .frequency_hz = 120.0, .loss_factor = 0.3}};
-    c.track.failed_fasteners = {{.every = 8}};
-    c.sleeper_passing.amplitude_factor = 1.0;
+pem::CaseParameters every_effect_of_track_and_surface() {
+    pem::CaseParameters c = tests::every_track_effect();
     c.irregularity.corrugation = {{.wavelength_m = 0.3, .relative_bandwidth = 0.1, .rms_m = 20e-6}};
     c.irregularity.joints = {{.spacing_m = 12.0, .depth_m = 1e-3, .length_m = 0.5}};
     return c;
@@ -140,7 +131,7 @@ pem::CaseParameters every_track_effect() {
 /// The same 2000 lines with every effect of the track: to be compared with case_1_all_outputs, which has none, and case_3_all_outputs/1. Argument 0: every 8th fastener has
 /// failed; 1: one in eight, drawn.
 void case_3_every_track_effect(benchmark::State& state) {
-    pem::CaseParameters c = every_track_effect();
+    pem::CaseParameters c = every_effect_of_track_and_surface();
     if (state.range(0) != 0) c.track.failed_fasteners = {{.fraction = 0.125}};
     for (auto _ : state) benchmark::DoNotOptimize(pem::solve_case(c, 22.2222, {.threads = 1}));
     state.SetItemsProcessed(state.iterations() * 1998);
@@ -151,7 +142,7 @@ BENCHMARK(case_3_every_track_effect)->Arg(0)->Arg(1)->Unit(benchmark::kMilliseco
 void passing_lines(benchmark::State& state) {
     pem::CaseParameters c = tests::paper_case(1);
     c.sleeper_passing.amplitude_factor = 1.0;
-    if (state.range(0) != 0) c = every_track_effect();
+    if (state.range(0) != 0) c = every_effect_of_track_and_surface();
     const std::vector<double> wheels = vehicle::wheel_positions(c.vehicle);
     for (auto _ : state) benchmark::DoNotOptimize(pem::passing_lines(c, wheels, 22.2222));
 }

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -22,12 +23,40 @@ struct Stage {
     const char* name;
     vehicle::Law law;
     vehicle::SuspensionParameters& (*of)(CaseParameters&);
-    std::vector<std::pair<const char*, const char*>> elongation;  ///< upper and lower response of each element
 };
 
-class InnerTransfer : public testing::TestWithParam<Stage> {};
+/// What each element of a stage elongates by per unit irregularity under each wheel, [element][wheel].
+std::vector<std::array<std::complex<double>, 4>> elongations(const CoupledModel& model, vehicle::Law law, double omega) {
+    CoupledWorkspace workspace(model);
+    const GroupSolution& solution = solve_group(model, lanes::broadcast(omega), workspace);
+    std::vector<std::array<std::complex<double>, 4>> list(law == vehicle::Law::primary ? 4 : 2);
+    for (std::size_t e = 0; e < list.size(); ++e)
+        for (std::size_t wheel = 0; wheel < 4; ++wheel)
+            for (std::size_t j = 0; j < 4; ++j)
+                list[e][wheel] += (law == vehicle::Law::primary ? solution.car.primary[e][j] : solution.car.secondary[e][j])[0] * solution.forces[j][wheel][0];
+    return list;
+}
 
-TEST_P(InnerTransfer, IsTheDerivativeWithTheStiffness) {
+/// The same of the secondary stage, from the motions at its ends.
+TEST(InnerTransfer, AnElongationIsTheDifferenceOfItsEnds) {
+    const CoupledModel model = coupled_model(tests::paper_case(1), kSpeed);
+    std::vector<std::size_t> all;
+    for (std::size_t r = 0; r < response_names().size(); ++r) all.push_back(r);
+    const WheelTransfers transfers = wheel_transfers(model, kFrom, kStep, 4, all, 1);
+    const double omega = 2.0 * std::numbers::pi * kFrom;
+    const auto found = elongations(model, vehicle::Law::secondary, omega);
+    const std::pair<const char*, const char*> ends[] = {{"body_front", "bogie_1"}, {"body_rear", "bogie_2"}};
+    for (std::size_t e = 0; e < 2; ++e)
+        for (std::size_t wheel = 0; wheel < 4; ++wheel) {
+            const std::complex<double> upper = transfers.at(0)[response_index(ends[e].first) * 4 + wheel] / (-omega * omega);
+            const std::complex<double> lower = transfers.at(0)[response_index(ends[e].second) * 4 + wheel] / (-omega * omega);
+            EXPECT_NEAR(std::abs(found[e][wheel] - (upper - lower)), 0.0, 1e-12 * (std::abs(upper) + std::abs(lower)));
+        }
+}
+
+class InnerTransferOfStage : public testing::TestWithParam<Stage> {};
+
+TEST_P(InnerTransferOfStage, IsTheDerivativeWithTheStiffness) {
     CaseParameters parameters = tests::paper_case(1);
     std::vector<std::size_t> all;
     for (std::size_t r = 0; r < response_names().size(); ++r) all.push_back(r);
@@ -45,15 +74,14 @@ TEST_P(InnerTransfer, IsTheDerivativeWithTheStiffness) {
     const std::size_t count = all.size();
     for (std::size_t line = 0; line < kLines; line += 7) {
         const double omega = 2.0 * std::numbers::pi * (kFrom + kStep * static_cast<double>(line));
+        const auto elongation = elongations(model, GetParam().law, omega);
         for (std::size_t wheel = 0; wheel < 4; ++wheel)
             for (std::size_t r = 0; r < count; ++r) {
                 const std::complex<double> slope = (up.at(line)[r * 4 + wheel] - down.at(line)[r * 4 + wheel]) / (2.0 * change);
                 std::complex<double> by_forces;
                 double size = 0.0;
                 for (std::size_t e = 0; e < inner.elements; ++e) {
-                    const auto& [upper, lower] = GetParam().elongation[e];
-                    std::complex<double> u = before.at(line)[response_index(upper) * 4 + wheel] - before.at(line)[response_index(lower) * 4 + wheel];
-                    u /= -omega * omega;
+                    const std::complex<double> u = elongation[e][wheel];
                     by_forces -= inner.at(line)[r * inner.elements + e] * u;
                     size += std::abs(inner.at(line)[r * inner.elements + e] * u);
                 }
@@ -62,9 +90,9 @@ TEST_P(InnerTransfer, IsTheDerivativeWithTheStiffness) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Stages, InnerTransfer,
-                         testing::Values(Stage{"secondary", vehicle::Law::secondary, [](CaseParameters& c) -> vehicle::SuspensionParameters& { return c.vehicle.secondary; },
-                                               {{"body_front", "bogie_1"}, {"body_rear", "bogie_2"}}}),
+INSTANTIATE_TEST_SUITE_P(Stages, InnerTransferOfStage,
+                         testing::Values(Stage{"secondary", vehicle::Law::secondary, [](CaseParameters& c) -> vehicle::SuspensionParameters& { return c.vehicle.secondary; }},
+                                         Stage{"primary", vehicle::Law::primary, [](CaseParameters& c) -> vehicle::SuspensionParameters& { return c.vehicle.primary; }}),
                          [](const auto& tested) { return std::string(tested.param.name); });
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 
 #include "vehicle/half_vehicle.hpp"
@@ -79,6 +81,40 @@ INSTANTIATE_TEST_SUITE_P(
                                }},
                     Correction{"wheel", [](VehicleParameters& v) { v.wheel_correction = by_1_2; }, [](VehicleParameters& v) { v.wheelset_mass_kg *= 1.2; }}),
     [](const auto& tested) { return std::string(tested.param.name); });
+
+/// Largest difference of the receptances between wheels, relative to the largest of them; `mirrored`: of the second car seen from its other end.
+double difference(const VehicleParameters& first, const VehicleParameters& second, bool mirrored) {
+    const HalfVehicle one = half_vehicle(first), other = half_vehicle(second);
+    Workspace one_work(one), other_work(other);
+    const lanes::Real omega{4.0, 30.0, 170.0, 900.0};
+    const WheelReceptance a = wheel_receptance(one, omega, one_work), b = wheel_receptance(other, omega, other_work);
+    double largest = 0.0, size = 0.0;
+    for (int i = 0; i < 4; ++i)
+        for (int j = 0; j < 4; ++j)
+            for (int lane = 0; lane < lanes::width; ++lane) {
+                size = std::max(size, std::abs(a.wheel(i, j)[lane]));
+                largest = std::max(largest, std::abs(a.wheel(i, j)[lane] - (mirrored ? b.wheel(3 - i, 3 - j) : b.wheel(i, j))[lane]));
+            }
+    return largest / size;
+}
+
+TEST(CorrectionOfASingleOne, OnAllOfThemIsTheCorrectionOfTheKind) {
+    VehicleParameters kind = car(), each = car();
+    kind.wheel_correction = kind.bogie_correction = by_1_2;
+    each.one_wheelset_correction.fill(by_1_2);
+    each.one_bogie_correction.fill(by_1_2);
+    EXPECT_LE(difference(kind, each, false), 1e-13);
+}
+
+TEST(CorrectionOfASingleOne, IsMirroredByTheOtherEndAndIsNotTheNextOne) {
+    VehicleParameters first = car(), second = car(), last = car();
+    first.one_wheelset_correction[0] = first.one_bogie_correction[0] = by_1_2;
+    last.one_wheelset_correction[3] = last.one_bogie_correction[1] = by_1_2;
+    second.one_wheelset_correction[1] = second.one_bogie_correction[0] = by_1_2;
+    EXPECT_LE(difference(first, last, true), 1e-12);
+    EXPECT_GT(difference(first, last, false), 0.01);
+    EXPECT_GT(difference(first, second, false), 0.01);
+}
 
 TEST(SuspensionCorrection, ActsOnFrictionTooAndAtItsOwnFrequency) {
     SuspensionParameters law{.stiffness_n_per_m = 2.1e6, .damping_n_s_per_m = 4.9e4};

@@ -7,7 +7,7 @@
 #include <complex>
 #include <numbers>
 
-#include "paper_case.hpp"
+#include "every_track_effect.hpp"
 #include "pem/passing_lines.hpp"
 #include "pem/passing_positions.hpp"
 #include "pem/rail_model.hpp"
@@ -22,21 +22,6 @@ lanes::Real spread(double frequency, double ratio) {
     lanes::Real omega{};
     for (int lane = 0; lane < lanes::width; ++lane) omega[lane] = 2.0 * std::numbers::pi * frequency * std::pow(ratio, lane);
     return omega;
-}
-
-/// Case 3 with every effect of rail, pads and support.
-pem::CaseParameters every_track_effect() {
-    pem::CaseParameters c = tests::paper_case(3);
-    c.track.pads.causal = true;
-    c.track.pads.loss_factor = 0.2;
-    c.track.rail.beam = track::Beam::timoshenko;
-    c.track.rail.cross_section_m2 = 60.64 / 7850.0;
-    c.track.support = {.model = track::SupportModel::two_layer, .mass_kg = 150.0, .stiffness_n_per_m = 60e6, .loss_factor = 0.5,
-                       .bending_modes = {{.frequency_hz = 120.0, .loss_factor = 0.02, .modal_mass_kg = 80.0}}};
-    c.track.rail_dampers = {{.mass_kg_per_m = 15.0, .frequency_hz = 120.0, .loss_factor = 0.3}};
-    c.track.failed_fasteners = {{.every = 8}};
-    c.sleeper_passing.amplitude_factor = 1.0;
-    return c;
 }
 
 /// Σ_j C_ij with the failed seats counted from `first_seat`, from nothing but the case.
@@ -77,7 +62,7 @@ const std::vector<int> kSeats{0, -1, -2, -5, -7};
 constexpr double kBoth = 1e-9;
 
 TEST(PassingPositions, EveryTrackEffectAgreesWithOnePlaceAtATime) {
-    const pem::CaseParameters c = every_track_effect();
+    const pem::CaseParameters c = tests::every_track_effect();
     for (const double f : {0.5, 4.6, 30.0, 100.0, 140.0, 400.0}) EXPECT_LT(difference(c, kShares, kSeats, spread(f, 1.07)), kBoth) << f;
 }
 
@@ -122,7 +107,7 @@ TEST(PassingPositions, WheelsThatShareABay) {
 /// The lines themselves: Fourier coefficients over the period, place by place and order by order.
 TEST(PassingLines, AreTheFourierCoefficientsOfTheDeflectionPlaceByPlace) {
     constexpr double kSpeed = 80.0 / 3.6;
-    pem::CaseParameters c = every_track_effect();
+    pem::CaseParameters c = tests::every_track_effect();
     c.track.failed_fasteners = {{.every = 3, .first_seat = 1}};
     const std::vector<pem::SpectralLine> lines = pem::passing_lines(c, vehicle::wheel_positions(c.vehicle), kSpeed);
     ASSERT_EQ(lines.size(), 12u);

@@ -8,6 +8,7 @@
 #include <complex>
 #include <numbers>
 
+#include "ballasted_track.hpp"
 #include "tests/unit/track/wei2016_track.hpp"
 
 namespace {
@@ -17,19 +18,9 @@ using namespace railpem::track;
 
 constexpr double kPad = 30e6;
 
-TrackParameters ballasted() {
-    TrackParameters track = wei2016_track();
-    track.rail.beam = Beam::timoshenko;
-    track.rail.cross_section_m2 = 7.7e-3;
-    track.rail.loss_factor = 0.02;
-    track.support = {.model = SupportModel::two_layer, .mass_kg = 150.0, .stiffness_n_per_m = 60e6, .loss_factor = 0.5};
-    track.rail_dampers = {{.mass_kg_per_m = 15.0, .frequency_hz = 300.0, .loss_factor = 0.3}};
-    return track;
-}
-
 /// A point and another one three bays further on: receptance there, and of one at the other.
 TEST(BlochWaves, AreTheReceptanceOfTheUniformTrack) {
-    for (const TrackParameters& track : {wei2016_track(), ballasted()})
+    for (const TrackParameters& track : {wei2016_track(), ballasted_track()})
         for (const double frequency : {0.5, 5.0, 80.0, 300.0, 700.0, 1500.0})
             for (const double ahead : {0.0, 0.05, 0.3, 0.55}) {
                 lanes::Real omega{};
@@ -56,7 +47,7 @@ TEST(BlochWaves, AreTheReceptanceOfTheUniformTrack) {
 
 /// The change of a seat as a fraction is the difference of its stiffnesses.
 TEST(SupportLaw, ChangeIsTheDifferenceOfStiffnesses) {
-    const TrackParameters track = ballasted();
+    const TrackParameters track = ballasted_track();
     const lanes::Real omega = lanes::broadcast(500.0);
     const SupportLaw law(track.pads, track.support, omega);
     const SupportLaw::Change change = law.change_from(kPad);

@@ -8,6 +8,7 @@
 #include <complex>
 #include <numbers>
 
+#include "ballasted_track.hpp"
 #include "tests/unit/track/wei2016_track.hpp"
 #include "track/pad_positions.hpp"
 
@@ -15,16 +16,6 @@ namespace {
 
 using namespace railpem;
 using namespace railpem::track;
-
-TrackParameters ballasted() {
-    TrackParameters track = wei2016_track();
-    track.rail.beam = Beam::timoshenko;
-    track.rail.cross_section_m2 = 7.7e-3;
-    track.rail.loss_factor = 0.02;
-    track.support = {.model = SupportModel::two_layer, .mass_kg = 150.0, .stiffness_n_per_m = 60e6, .loss_factor = 0.5};
-    track.rail_dampers = {{.mass_kg_per_m = 15.0, .frequency_hz = 300.0, .loss_factor = 0.3}};
-    return track;
-}
 
 ExactRail loaded(const TrackParameters& track, const std::vector<double>& wheels) {
     return exact_rail(track, wheels, static_equilibrium(track, wheels, wei2016_wheel_load_n, pad_positions(track, wheels, 0)));
@@ -61,7 +52,7 @@ void expect_alike(const ExactRail& rail, double frequency) {
 constexpr double kFrequencies[] = {0.5, 5.0, 40.0, 80.0, 150.0, 300.0, 700.0, 1500.0};
 
 TEST(ScatteredRail, IsTheEliminationOnLoadedPads) {
-    for (TrackParameters track : {wei2016_track(), ballasted()})
+    for (TrackParameters track : {wei2016_track(), ballasted_track()})
         for (const double offset : {0.0, 0.2}) {
             track.wheel_offset_m = offset;
             for (const double frequency : kFrequencies) expect_alike(loaded(track, wei2016_wheels_m), frequency);
@@ -69,7 +60,7 @@ TEST(ScatteredRail, IsTheEliminationOnLoadedPads) {
 }
 
 TEST(ScatteredRail, IsTheEliminationOnFailedFasteners) {
-    for (TrackParameters track : {wei2016_track(), ballasted()})
+    for (TrackParameters track : {wei2016_track(), ballasted_track()})
         for (const FailedFasteners& failed : {FailedFasteners{.every = 8, .first_seat = 3}, FailedFasteners{.every = 2, .remaining_stiffness_fraction = 0.4},
                                               FailedFasteners{.fraction = 0.3}}) {
             track.failed_fasteners = {failed};

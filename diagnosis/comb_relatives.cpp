@@ -1,0 +1,25 @@
+#include "diagnosis/comb_relatives.hpp"
+
+#include <algorithm>
+
+namespace railpem::diagnosis {
+
+std::vector<EffectInstance> comb_relatives(const EffectInstance& fitted) {
+    constexpr double kRatios[] = {1.0 / 2.0, 1.0 / 3.0, 1.0 / 4.0, 1.0 / 5.0, 2.0, 3.0};
+    const Effect& effect = *find_effect(fitted.effect);
+    const auto comb = std::find_if(effect.parameters.begin(), effect.parameters.end(), [](const EffectParameter& parameter) { return parameter.comb; });
+    std::vector<EffectInstance> relatives;
+    if (comb == effect.parameters.end() || !fitted.values.count(comb->name)) return relatives;
+    for (const double ratio : kRatios) {
+        const double distance = ratio * fitted.values.at(comb->name);
+        if (distance < comb->low || distance > comb->high) continue;
+        EffectInstance relative = fitted;
+        relative.values[comb->name] = distance;
+        for (const EffectParameter& parameter : effect.parameters)
+            if (parameter.strength) relative.values[parameter.name] = std::clamp(ratio * fitted.values.at(parameter.name), parameter.low, parameter.high);
+        relatives.push_back(std::move(relative));
+    }
+    return relatives;
+}
+
+}  // namespace railpem::diagnosis
