@@ -158,7 +158,8 @@ bool is_inverted(const Effect& effect, const EffectInstance& instance) {
 
 /// Whether screening looks where the instance stands, because its first derivative at nothing says nothing.
 bool is_probed_at_strength(const Effect& effect, const EffectInstance& instance) {
-    return effect.replaces || effect.onset != Onset::linear || is_inverted(effect, instance);
+    const bool is_source = std::any_of(effect.parameters.begin(), effect.parameters.end(), [](const EffectParameter& parameter) { return parameter.amplitude; });
+    return effect.replaces || effect.abrupt || is_source || is_inverted(effect, instance);
 }
 
 /// A strength `steps` probes away from nothing.
@@ -173,6 +174,12 @@ EffectInstance probe_of(const Effect& effect, EffectInstance instance) {
     for (const EffectParameter& parameter : effect.parameters)
         if (parameter.strength && instance.values.count(parameter.name)) instance.values[parameter.name] = near_nothing(parameter, 1.0);
     return instance;
+}
+
+/// What is probed where it stands and adds no power of its own has no smaller beginning.
+bool is_whole(const Effect& effect, const EffectInstance& instance) {
+    return is_probed_at_strength(effect, instance) &&
+           std::none_of(effect.parameters.begin(), effect.parameters.end(), [](const EffectParameter& parameter) { return parameter.amplitude; });
 }
 
 /// Nothing lies inside the range of a strength: it may go either way.
@@ -207,7 +214,8 @@ CandidateList candidates(const BelievedCase& believed, const Trial& trial, const
         for (EffectInstance& instance : variants)
             list.candidates.push_back({.instance = instance,
                                        .probe = probe_of(effect, instance),
-                                       .two_sided = is_two_sided(effect),
+                                       .two_sided = is_two_sided(effect) && !is_whole(effect, instance),
+                                       .whole = is_whole(effect, instance),
                                        .log_prior = -std::log(static_cast<double>(effects().size() * places.size()))});
     }
     return list;
@@ -217,12 +225,11 @@ Candidate started_at(const Candidate& candidate, double strength) {
     Candidate started = candidate;
     const Effect& effect = *find_effect(candidate.instance.effect);
     const bool at_strength = is_probed_at_strength(effect, candidate.instance);
-    if (at_strength && !(effect.onset == Onset::quadratic && strength > 0.0)) return started;
     for (const EffectParameter& parameter : effect.parameters) {
         if (!parameter.strength || !candidate.instance.values.count(parameter.name)) continue;
         double& value = started.instance.values[parameter.name];
-        if (at_strength) value = std::clamp(value * std::sqrt(strength), parameter.low, parameter.high);
-        else if (std::abs(strength) > 1.0) value = std::clamp(near_nothing(parameter, strength), parameter.low, parameter.high);
+        if (at_strength && parameter.amplitude && strength > 0.0) value = std::clamp(parameter.nothing + (value - parameter.nothing) * std::sqrt(strength), parameter.low, parameter.high);
+        if (!at_strength && std::abs(strength) > 1.0) value = std::clamp(near_nothing(parameter, strength), parameter.low, parameter.high);
     }
     return started;
 }

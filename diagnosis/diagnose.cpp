@@ -65,7 +65,8 @@ class Diagnosing {
 
     void study_places() {
         say("locating in the structure", 0.76);
-        const std::vector<LocatedEvidence> ranked = locate(naming_.retuned.fit, context_);
+        if (naming_.left_by_retuned.empty()) naming_.left_by_retuned = locate(naming_.retuned.fit, context_);
+        const std::vector<LocatedEvidence>& ranked = naming_.left_by_retuned;
         study_.at_retuned = evidence(ranked);
         if (!naming_.sets.empty() && naming_.sets.front().score() > naming_.retuned.score() + options_.thresholds.least_gain)
             study_.at_named = evidence(naming_.left_by_best.empty() ? locate(naming_.sets.front().fit, context_) : naming_.left_by_best);

@@ -12,9 +12,7 @@ namespace railpem::diagnosis {
 struct VerdictThresholds {
     double least_gain = 5.0;        ///< nats of log-evidence that physics must gain over the retuned case
     double credible = 4.0;          ///< a rival set is credible within so many nats of the best
-    double residual = 12.0;         ///< nats that a free correction beside the named set may promise by chance
-    double residual_share = 5e-3;   ///< and this share of what the set explains: the form of its law is a model too (friction marched in
-                                    ///< time leaves 0.33 % beside its Gaussian closure)
+    double residual = 12.0;         ///< nats that a free correction beside the named set may promise by chance, or nats_left() of it (model_error.hpp)
     double anonymous = 3.0;         ///< nats by which a free correction must beat the named set to make it nameless
 };
 

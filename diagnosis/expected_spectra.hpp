@@ -43,8 +43,8 @@ struct ExpectedSpectra {
 struct ExpectationOptions {
     double low_hz = 4.0;
     double high_hz = 175.0;
-    double transfer_step_hz = 0.5;  ///< grid of the single-wheel transfers, which are smooth
-    int rail_every = 4;             ///< the rail is smoother still: solved at one line of that grid in so many
+    double transfer_step_hz = 0.25; ///< grid of the single-wheel transfers: what an axle box leaves unsaid by the others is 1e-5 of its power
+    int rail_every = 8;             ///< the rail is smoother still: solved at one line of that grid in so many
     int oversampling = 4;           ///< fine lines per bin; at least 2·(1 + longest wheel delay/segment)
     int threads = 0;
     recordings::KernelWeights weights;  ///< of the kernel, when whoever asks often has them already; else computed

@@ -18,6 +18,7 @@ constexpr double kLongestLogStep = 1.0;   ///< of noise and floor: far below wha
 constexpr int kSettleIterations = 3;      ///< of noise and floor alone, after every step
 constexpr double kWorthSettling = 2.0;    ///< nats promised by a step, after which noise and floor are settled
 constexpr double kHope = 3.0;             ///< times its promise, a fit may still climb
+constexpr double kPace = 12.0;            ///< or times what its last step brought: a ridge is climbed in many equal steps
 constexpr double kHopeless = 30.0;        ///< nats that a fit must stay behind, hope included, to be given up
 
 struct State {
@@ -125,6 +126,7 @@ enum class End { top, tired, hopeless };
 /// Climbs at one floor.
 End climb(const Trial& base, const std::vector<Unknown>& unknowns, const LikelihoodContext& context, const FitOptions& options,
           int most, double& damping, State& state, int& iterations, Normal* last = nullptr) {
+    double gained = std::numeric_limits<double>::infinity();  // by the last step
     for (int i = 0; i < most; ++i) {
         if (options.between) options.between();
         const Normal normal = normal_equations(state, unknowns, differentiate(state.trial, unknowns, state.values, state.predictions, context), context);
@@ -133,7 +135,7 @@ End climb(const Trial& base, const std::vector<Unknown>& unknowns, const Likelih
         while (damping < kMostDamping && !better) {
             const Eigen::VectorXd step = damped_step(normal, state, unknowns, damping);
             const double promise = 0.5 * step.dot(normal.gradient);
-            const bool hopeless = i >= options.chance && state.log_posterior + kHope * promise + kHopeless < options.rival;
+            const bool hopeless = state.log_posterior + std::max(kHope * promise, kPace * gained) + kHopeless < options.rival;
             if (promise < options.least_gain || hopeless) {
                 if (last) *last = normal;
                 return hopeless ? End::hopeless : End::top;
@@ -142,6 +144,7 @@ End climb(const Trial& base, const std::vector<Unknown>& unknowns, const Likelih
             better = next.log_posterior > state.log_posterior;
             damping = better ? std::max(damping / 10.0, 1e-9) : damping * 10.0;
             if (!better) continue;
+            gained = next.log_posterior - state.log_posterior;
             state = std::move(next);
             if (promise > kWorthSettling) settle(unknowns, context, state);
         }
@@ -180,6 +183,8 @@ Fit fit(const Trial& base, std::vector<Unknown> unknowns, std::vector<double> st
         const FitOptions& options) {
     Fit result;
     LikelihoodContext stage = context;
+    FitOptions blunt = options;
+    blunt.rival = FitOptions{}.rival;  // was sharp
     double damping = kFirstDamping;
     std::vector<double> values = std::move(start);
     if (options.from_far)  // blunted by 10 % there is one broad maximum; each stage brings the next within reach
@@ -187,7 +192,7 @@ Fit fit(const Trial& base, std::vector<Unknown> unknowns, std::vector<double> st
             stage.least_floor = floor;
             State state = state_at(base, unknowns, std::move(values), stage);
             settle(unknowns, stage, state);
-            climb(base, unknowns, stage, options, options.stage_iterations, damping, state, result.iterations);
+            climb(base, unknowns, stage, blunt, options.stage_iterations, damping, state, result.iterations);
             values = std::move(state.values);
         }
     State state = state_at(base, unknowns, std::move(values), context);

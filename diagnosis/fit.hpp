@@ -17,7 +17,6 @@ struct FitOptions {
     std::vector<double> stages = {0.1, 0.02, 0.004};  ///< floors of the blunt likelihoods, when it begins with them
     int stage_iterations = 2;
     double rival = -1e300;         ///< log-posterior of the best rival: a fit that cannot come near is given up
-    int chance = 6;                ///< steps that it may take before
     std::function<void()> between; ///< called between steps; may throw to stop
 };
 

@@ -8,16 +8,26 @@
 #include <map>
 
 #include "diagnosis/comb_relatives.hpp"
+#include "diagnosis/model_error.hpp"
 
 namespace railpem::diagnosis {
 
 namespace {
 
 constexpr double kLeastRelease = 3.0;           ///< nats to first order; what a wrong belief distorts is seen too small from there
+constexpr double kLeastWhole = 0.1;   ///< of something that is there as a whole or not: when the data ask for less of it, they ask for something else
+constexpr double kLeastReplacing = 30.0;  ///< nats of what replaces a law: its strength says nothing, for everything else settles anew around it
 constexpr double kLeastShare = 0.04;  ///< of the best promise of its kind (sensor or structure); what is weaker waits for the next round
+constexpr double kLeastShareOfAll = 0.01;  ///< and of the best of all
 
 /// One variant of an effect with the starting points that promise most.
 using Starts = std::vector<Promise>;
+
+/// Whether an effect comes in many numbered variants (orders of a wheel, every n-th seat): those are told by their lines, which the first
+/// derivative sees wherever the fit stands.
+bool is_numbered(const Effect& effect) {
+    return std::any_of(effect.choices.begin(), effect.choices.end(), [](const EffectChoice& choice) { return choice.whole_number; });
+}
 
 /// What is worth a refit: few variants per effect, few starting points per variant.
 std::vector<Starts> worth_refitting(const std::vector<Promise>& promises, const std::vector<Candidate>& candidates, double least, int most) {
@@ -31,7 +41,9 @@ std::vector<Starts> worth_refitting(const std::vector<Promise>& promises, const 
         if (promise.gain < least) break;
         const EffectInstance& instance = candidates[promise.candidate].instance;
         const double best = best_of_kind.try_emplace(element_of(*find_effect(instance.effect), instance) == Element::sensor, promise.gain).first->second;
-        if (promise.gain < kLeastShare * best) continue;
+        if (promise.gain < std::max(kLeastShare * best, kLeastShareOfAll * promises.front().gain)) continue;
+        if (!find_effect(instance.effect)->replaces && candidates[promise.candidate].whole && promise.strength < kLeastWhole) continue;
+        if (find_effect(instance.effect)->replaces && promise.gain < kLeastReplacing) continue;
         if (const auto known = of_variant.find(label_of(instance)); known != of_variant.end()) {
             if (chosen[known->second].size() < kStartsPerVariant) chosen[known->second].push_back(promise);
             continue;
@@ -66,7 +78,6 @@ constexpr double kBluntFloor = 0.1;
 constexpr int kBluntIterations = 2;
 constexpr int kFurtherBluntIterations = 6;  ///< of an effect's best start
 constexpr double kFar = 50.0;          ///< nats that a start may lie below the fit that it starts from and still be near
-constexpr int kFarChance = 10;
 constexpr int kFarIterations = 4;
 constexpr std::size_t kSharpened = 3;  ///< of the effects fitted from afar: those that the blunt likelihood prefers, until nothing is left
 
@@ -111,7 +122,7 @@ class Search {
         result_.first_promises = screen(result_.retuned.fit, result_.candidates, context_);
         first_round();
         further_rounds();
-        if (left_over() < options_.residual) return;
+        if (left_over() < bearable()) return;
         const double before = best_score();
         rescue_round();
         if (best_score() < before + options_.least_gain) return;
@@ -130,6 +141,12 @@ class Search {
         return score;
     }
 
+    /// Nats that may be left beside the best set, which left_over() put in front.
+    double bearable() const {
+        const bool named = !result_.sets.empty() && result_.sets.front().score() > result_.retuned.score();
+        return named ? nats_left(result_.sets.front(), result_.retuned.score(), options_.residual) : options_.residual;
+    }
+
     /// Nats that a free correction would still bring beside the best set.
     double left_over() {
         say("what is left", 0.7);
@@ -137,8 +154,7 @@ class Search {
         const bool named = !result_.sets.empty() && result_.sets.front().score() > result_.retuned.score();
         std::vector<LocatedEvidence> left = locate(named ? result_.sets.front().fit : result_.retuned.fit, context_);
         const double most = left.empty() ? 0.0 : left.front().nats;
-        if (named) result_.left_by_best = std::move(left);
-        else left_by_retuned_ = std::move(left);
+        (named ? result_.left_by_best : result_.left_by_retuned) = std::move(left);
         return most;
     }
 
@@ -154,17 +170,17 @@ class Search {
     /// A strong effect distorts the retuned case so much that no first derivative finds it from there. Effects of the evident
     /// places are fitted as the retuned case was: from the believed numbers, at a typical strength, with a blunt likelihood first.
     void rescue_round() {
-        if (left_by_retuned_.empty()) left_by_retuned_ = locate(result_.retuned.fit, context_);
+        if (result_.left_by_retuned.empty()) result_.left_by_retuned = locate(result_.retuned.fit, context_);
         const auto is_evident = [&](Element element) {
             if (element == Element::support) element = Element::pad;  // rigid ground has no correction of its own
-            return is_among(left_by_retuned_, element) || is_among(result_.left_by_best, element);
+            return is_among(result_.left_by_retuned, element) || is_among(result_.left_by_best, element);
         };
         std::vector<std::string> done;
         std::vector<FittedSet> blunt;
         for (const Candidate& candidate : result_.candidates) {
             const Effect& effect = *find_effect(candidate.instance.effect);
             const Element element = element_of(effect, candidate.instance);
-            if (element == Element::sensor || element == Element::irregularity || effect.onset != Onset::linear) continue;
+            if (element == Element::sensor || element == Element::irregularity || element == Element::contact || is_numbered(effect)) continue;
             const std::string label = label_of(candidate.instance);
             if (!is_evident(element) || std::find(done.begin(), done.end(), label) != done.end()) continue;
             done.push_back(label);
@@ -173,7 +189,7 @@ class Search {
         std::stable_sort(blunt.begin(), blunt.end(), [](const FittedSet& a, const FittedSet& b) { return a.fit.log_posterior > b.fit.log_posterior; });
         for (std::size_t i = 0; i < std::min(kSharpened, blunt.size()); ++i) {
             sharpen(blunt[i]);
-            if (left_over() < options_.residual) break;
+            if (left_over() < bearable()) break;
         }
     }
 
@@ -224,7 +240,8 @@ class Search {
         FitOptions fit_options;
         fit_options.between = [this, text, share] { say(text, share); };
         fit_options.from_far = far;
-        if (far) fit_options.chance = kFarChance, fit_options.stage_iterations = kFarIterations;
+        if (far) fit_options.stage_iterations = kFarIterations;
+        fit_options.rival = result_.retuned.fit.log_posterior;
         for (const FittedSet& set : result_.sets) fit_options.rival = std::max(fit_options.rival, set.fit.log_posterior);
         result_.sets.push_back(fit_set(believed_, near, std::move(members), std::move(released), {}, context_, fit_options));
         return result_.sets.back();
@@ -306,7 +323,7 @@ class Search {
             return element_of(*find_effect(instance.effect), instance);
         };
         for (const Promise& promise : result_.first_promises) {
-            if (!find_effect(result_.candidates[promise.candidate].instance.effect)->replaces) continue;
+            if (!find_effect(result_.candidates[promise.candidate].instance.effect)->replaces || promise.gain < kLeastReplacing) continue;
             const bool there = std::any_of(chosen.begin(), chosen.end(), [&](const Starts& own) { return own.front().candidate == promise.candidate; });
             const bool wanted = std::any_of(chosen.begin(), chosen.end(), [&](const Starts& own) { return element(own.front()) == element(promise); });
             if (wanted && !there) chosen.push_back({promise});
@@ -318,7 +335,7 @@ class Search {
         for (const Promise& promise : promises) {
             const EffectInstance& instance = result_.candidates[promise.candidate].instance;
             const Effect& effect = *find_effect(instance.effect);
-            if (!effect.replaces) continue;
+            if (!effect.replaces || promise.gain < kLeastReplacing) continue;
             const auto same = [&](const Starts& own) { return same_variant(result_.candidates[own.front().candidate].instance, instance); };
             if (std::none_of(chosen.begin(), chosen.end(), same)) chosen.push_back({promise});
         }
@@ -349,14 +366,17 @@ class Search {
         const FittedSet from = *base;
         const double share = 0.65 + 0.1 * (members - 2);
         const std::vector<Promise> promises = screen(from.fit, result_.candidates, context_);
-        std::vector<Starts> chosen = worth_refitting(promises, result_.candidates, options_.least_promise, options_.later_refits + 2);
+        // Beside a linearised law the rest of its own imitates much.
+        const bool linearised = share_left(from) > share_left(result_.retuned);
+        const double least = linearised ? nats_left(from, result_.retuned.score(), options_.least_promise) : options_.least_promise;
+        std::vector<Starts> chosen = worth_refitting(promises, result_.candidates, least, options_.later_refits + 2);
         const auto is_member = [&](const Starts& starts) {
             return std::any_of(from.effects.begin(), from.effects.end(),
                                [&](const Candidate& own) { return same_variant(own.instance, result_.candidates[starts.front().candidate].instance); });
         };
         std::erase_if(chosen, is_member);
         if (static_cast<int>(chosen.size()) > options_.later_refits) chosen.erase(chosen.begin() + options_.later_refits, chosen.end());
-        add_unpromised(promises, chosen);
+        if (!linearised) add_unpromised(promises, chosen);
         std::erase_if(chosen, is_member);
         Candidate winner;
         double highest = -1e300;
@@ -397,7 +417,6 @@ class Search {
     const LikelihoodContext& context_;
     const NamingOptions& options_;
     NamingResult& result_;
-    std::vector<LocatedEvidence> left_by_retuned_;
 };
 
 }  // namespace

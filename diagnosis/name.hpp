@@ -29,7 +29,8 @@ struct NamingResult {
     std::vector<NotTested> not_tested;
     std::vector<Promise> first_promises;
     std::vector<Candidate> candidates;
-    std::vector<LocatedEvidence> left_by_best;  ///< what free corrections would still bring beside the best set
+    std::vector<LocatedEvidence> left_by_best;     ///< what free corrections would still bring beside the best set; empty: not asked
+    std::vector<LocatedEvidence> left_by_retuned;  ///< and beside the retuned case
     bool interrupted = false;
 };
 

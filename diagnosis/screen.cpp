@@ -86,14 +86,13 @@ std::vector<Promise> screen(const Fit& fit, const std::vector<Candidate>& candid
 
 namespace {
 
-/// One freedom's promise from the slope of fit and freedom together.
-FreedomPromise promise_from(const Fit& fit, const LikelihoodSlope& slope, const std::vector<Unknown>& freedom) {
+/// One freedom's promise from the slope of fit and freedoms together, its unknowns beginning at `first`.
+FreedomPromise promise_from(const Fit& fit, const LikelihoodSlope& slope, const Eigen::LDLT<Eigen::MatrixXd>& factor, const std::vector<Unknown>& freedom, long first) {
     const long own = static_cast<long>(fit.unknowns.size()), count = static_cast<long>(freedom.size());
-    const Eigen::LDLT<Eigen::MatrixXd> factor(curvature_of(fit, slope.information));
-    const Eigen::MatrixXd cross = slope.information.topRightCorner(own, count);
+    const Eigen::MatrixXd cross = slope.information.block(0, first, own, count);
     const Eigen::MatrixXd projected = factor.solve(cross);
-    const Eigen::MatrixXd information = slope.information.bottomRightCorner(count, count) - cross.transpose() * projected;
-    const Eigen::VectorXd gradient = slope.gradient.tail(count) - projected.transpose() * fit.gradient;
+    const Eigen::MatrixXd information = slope.information.block(first, first, count, count) - cross.transpose() * projected;
+    const Eigen::VectorXd gradient = slope.gradient.segment(first, count) - projected.transpose() * fit.gradient;
     Eigen::VectorXd deviation(count);
     for (long i = 0; i < count; ++i) deviation(i) = freedom[static_cast<std::size_t>(i)].deviation;
     const Eigen::MatrixXd scaled = Eigen::MatrixXd::Identity(count, count) + deviation.asDiagonal() * information * deviation.asDiagonal();
@@ -114,14 +113,20 @@ FreedomPromise promise_from(const Fit& fit, const LikelihoodSlope& slope, const 
 std::vector<FreedomPromise> promises_of(const Fit& fit, const std::vector<std::vector<Unknown>>& freedoms, const LikelihoodContext& context) {
     const std::vector<PredictionDerivative> nuisance = differentiate(fit.trial, fit.unknowns, fit.values, fit.predictions, context);
     std::vector<FreedomPromise> promises;
-    for (const std::vector<Unknown>& freedom : freedoms) {
-        std::vector<double> start = means(freedom);
-        std::vector<PredictionDerivative> derivatives = differentiate(fit.trial, freedom, start, fit.predictions, context);
+    while (promises.size() < freedoms.size()) {  // several side by side: the fit's own columns are whitened once for all of them
+        std::vector<Unknown> side_by_side, all = fit.unknowns;
+        std::vector<long> first;
+        for (std::size_t i = promises.size(); i < freedoms.size() && (first.empty() || side_by_side.size() + freedoms[i].size() <= kBatch); ++i) {
+            first.push_back(static_cast<long>(all.size() + side_by_side.size()));
+            side_by_side.insert(side_by_side.end(), freedoms[i].begin(), freedoms[i].end());
+        }
+        std::vector<PredictionDerivative> derivatives = differentiate(fit.trial, side_by_side, means(side_by_side), fit.predictions, context);
         for (PredictionDerivative& derivative : derivatives) derivative.unknown += static_cast<int>(fit.unknowns.size());
         derivatives.insert(derivatives.begin(), nuisance.begin(), nuisance.end());
-        std::vector<Unknown> all = fit.unknowns;
-        all.insert(all.end(), freedom.begin(), freedom.end());
-        promises.push_back(promise_from(fit, likelihood_slope(fit.trial, all, fit.predictions, derivatives, context), freedom));
+        all.insert(all.end(), side_by_side.begin(), side_by_side.end());
+        const LikelihoodSlope slope = likelihood_slope(fit.trial, all, fit.predictions, derivatives, context);
+        const Eigen::LDLT<Eigen::MatrixXd> factor(curvature_of(fit, slope.information));
+        for (const long begin : first) promises.push_back(promise_from(fit, slope, factor, freedoms[promises.size()], begin));
     }
     return promises;
 }

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <map>
 
+#include "diagnosis/model_error.hpp"
+
 namespace railpem::diagnosis {
 
 namespace {
@@ -43,14 +45,15 @@ constexpr double kLeaning = 2.0;  ///< nats that a set may gain beyond the range
 
 bool leans(const FittedSet& set) { return nats_beyond_range(set) > kLeaning; }
 
-bool says_as_much(const FittedSet& smaller, const FittedSet& larger, const VerdictThresholds& thresholds) {
-    return smaller.members() < larger.members() && contains(larger, smaller) &&
-           (larger.score() < smaller.score() + thresholds.least_gain || unseen_disagrees(smaller, larger) || (leans(larger) && !leans(smaller)));
+/// Nats that a further member has to bring beside `smaller`: more than what the law of a linearised member leaves for anything to imitate.
+double least_addition(const FittedSet& smaller, double nothing, const VerdictThresholds& thresholds) {
+    const bool linearised = std::any_of(smaller.effects.begin(), smaller.effects.end(), [](const Candidate& member) { return find_effect(member.instance.effect)->linearised; });
+    return linearised ? nats_left(smaller, nothing, thresholds.least_gain) : thresholds.least_gain;
 }
 
-/// Nats that may be left beside a named set: chance, and what the named law's own form leaves of an effect that is large.
-double bearable_residual(const FittedSet& set, double nothing, const VerdictThresholds& thresholds) {
-    return std::max(thresholds.residual, thresholds.residual_share * (set.score() - nothing));
+bool says_as_much(const FittedSet& smaller, const FittedSet& larger, double nothing, const VerdictThresholds& thresholds) {
+    return smaller.members() < larger.members() && contains(larger, smaller) &&
+           (larger.score() < smaller.score() + least_addition(smaller, nothing, thresholds) || unseen_disagrees(smaller, larger) || (leans(larger) && !leans(smaller)));
 }
 
 bool only_sensors(const FittedSet& set) {
@@ -80,7 +83,7 @@ bool drop_superfluous(NamingResult& naming, const VerdictThresholds& thresholds)
     for (std::size_t i = 0; i < naming.sets.size(); ++i) {
         const FittedSet& set = naming.sets[i];
         const bool superfluous = unseen_disagrees(naming.retuned, set) ||
-                                 std::any_of(naming.sets.begin(), naming.sets.end(), [&](const FittedSet& own) { return says_as_much(own, set, thresholds); });
+                                 std::any_of(naming.sets.begin(), naming.sets.end(), [&](const FittedSet& own) { return says_as_much(own, set, naming.retuned.score(), thresholds); });
         if (!superfluous) kept.push_back(set);
         else first = first || i == 0;
     }
@@ -102,7 +105,7 @@ Decision decide(const NamingResult& naming, const PlaceStudy& places, const Verd
     }
     const double residual_named = places.at_named.empty() ? 0.0 : places.at_named.front().nats;
     const double residual_retuned = places.at_retuned.empty() ? 0.0 : places.at_retuned.front().nats;
-    if (gains && decision.unknown_score < best->score() + thresholds.anonymous && residual_named < bearable_residual(*best, nothing, thresholds) && !leans(*best))
+    if (gains && decision.unknown_score < best->score() + thresholds.anonymous && residual_named < nats_left(*best, nothing, thresholds.residual) && !leans(*best))
         decision.verdict = decision.credible.size() > 1 ? Verdict::ambiguous : only_sensors(*best) ? Verdict::recording_fault : Verdict::explained;
     else if (gains)
         decision.verdict = Verdict::unexplained;

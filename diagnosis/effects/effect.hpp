@@ -25,6 +25,7 @@ struct EffectParameter {
     Spread spread = Spread::uniform;
     bool strength = false;  ///< the effect vanishes as all parameters so marked go to `nothing`
     double nothing = 0.0;   ///< may be infinite, or lie outside of the range
+    bool amplitude = false; ///< the effect is a source of its own whose power grows with (value − nothing)²: no derivative at nothing shows it
     bool comb = false;      ///< a distance with lines at all multiples of v/distance: its divisors and multiples have many of them too
     std::string says;
 };
@@ -66,13 +67,6 @@ struct Obstacle {
     std::string allowed;
 };
 
-/// How what a recording shows grows with a strength near nothing.
-enum class Onset {
-    linear,
-    quadratic,  ///< the effect adds a source of its own: its power grows with the square of the strength
-    abrupt      ///< it is there at about its typical values or not at all
-};
-
 struct Effect {
     std::string id;    ///< as in the catalogue
     std::string says;  ///< what was left out, one sentence in plain words
@@ -83,7 +77,8 @@ struct Effect {
     std::vector<Element> elements;  ///< where it sits; several when a choice decides
     std::vector<Band> bands;
     std::string mimics;  ///< what looks like it, and what would tell them apart
-    Onset onset = Onset::linear;
+    bool abrupt = false;    ///< in its range it is never slight: screening looks at typical values instead of near nothing
+    bool linearised = false; ///< its law is linearised about the level of vibration: what the Gaussian closure leaves stays unexplained
     bool replaces = false;  ///< it takes the place of a law of the case: no derivative at vanishing strength speaks for it
     /// What in the case forbids the effect (it is there already, or something else overrides it); null: nothing can.
     std::function<std::optional<Obstacle>(const pem::CaseParameters&)> obstacle;

@@ -44,7 +44,7 @@ Effect failed_fasteners() {
             "joints have lines up to high orders, fasteners only long waves, and their lines follow the wheel load "
             "while a shape of the rail does not. Random ones look like a rougher track of long waves "
             "(irregularity-spectrum); again a second load separates.",
-        .onset = Onset::abrupt,
+        .abrupt = true,
         .obstacle = [](const pem::CaseParameters& parameters) -> std::optional<Obstacle> {
             if (parameters.track.failed_fasteners.empty()) return std::nullopt;
             return Obstacle{"the case has failed fasteners already", "a case without [[track.failed_fasteners]]"};

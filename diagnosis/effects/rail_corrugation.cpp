@@ -32,13 +32,13 @@ Effect rail_corrugation() {
                         .spread = Spread::logarithmic,
                         .strength = true,
                         .nothing = 0.0,
+                        .amplitude = true,
                         .says = "rms amplitude"}},
         .elements = {Element::irregularity},
         .bands = {{10.0, 200.0}},
         .mimics =
             "A resonance (bending of the wheelset, a support) stays at its frequency when the speed changes; a "
             "corrugation stays at its wavelength. An out-of-round wheel shows on one axle box.",
-        .onset = Onset::quadratic,
         .obstacle = {},
         .apply =
             [](pem::CaseParameters& parameters, const EffectInstance& effect, const ParameterAccess&) {

@@ -26,6 +26,7 @@ Effect rail_joints() {
                         .spread = Spread::logarithmic,
                         .strength = true,
                         .nothing = 0.0,
+                        .amplitude = true,
                         .says = "depth of a dip"},
                        {.name = "length_m",
                         .unit = "m",
@@ -39,7 +40,6 @@ Effect rail_joints() {
         .mimics =
             "A rougher track: where the lines are closer than the resolution only their impulsive shape in time "
             "remains. Regularly failed fasteners have lines of the same kind; theirs follow the wheel load.",
-        .onset = Onset::quadratic,
         .obstacle = {},
         .apply =
             [](pem::CaseParameters& parameters, const EffectInstance& effect, const ParameterAccess&) {

@@ -20,6 +20,7 @@ Effect sensor_noise() {
                         .spread = Spread::logarithmic,
                         .strength = true,
                         .nothing = 0.0,
+                        .amplitude = true,
                         .says = "rms of the noise, 0.5 to 500 Hz"},
                        {.name = "slope_db_per_octave",
                         .unit = "dB",
@@ -31,7 +32,6 @@ Effect sensor_noise() {
         .elements = {Element::sensor},
         .bands = {{0.3, 500.0}},
         .mimics = "More vibration at that place: but that is coherent with the other channels, noise is not.",
-        .onset = Onset::quadratic,
         .obstacle = {},
         .apply =
             [](pem::CaseParameters& parameters, const EffectInstance& effect, const ParameterAccess&) {

@@ -22,6 +22,7 @@ Effect suspension_friction() {
                         .spread = Spread::logarithmic,
                         .strength = true,
                         .nothing = 0.0,
+                        .amplitude = true,
                         .says = "friction force of one element, per rail side"}},
         .choices = {{.name = "stage", .options = {"primary", "secondary"}, .says = "the stage of the suspension"}},
         .elements = {Element::primary, Element::secondary},
@@ -29,7 +30,7 @@ Effect suspension_friction() {
         .mimics =
             "A stronger damper of that stage (parameter-error) at one level of excitation; a rougher section, or "
             "another speed, changes the equivalent damping of friction and leaves a damper as it is.",
-        .onset = Onset::quadratic,
+        .linearised = true,
         .obstacle = {},
         .apply =
             [](pem::CaseParameters& parameters, const EffectInstance& effect, const ParameterAccess&) {

@@ -19,6 +19,7 @@ Effect wheel_out_of_roundness() {
                         .spread = Spread::logarithmic,
                         .strength = true,
                         .nothing = 0.0,
+                        .amplitude = true,
                         .says = "amplitude of the radius deviation"}},
         .choices = {{.name = "wheel",
                      .options = whole_numbers(1, 4),
@@ -34,7 +35,6 @@ Effect wheel_out_of_roundness() {
             "A corrugation whose wavelength is a fraction of the circumference: that is met by all wheels one after "
             "the other, this by one. The coherence between axle boxes at the line, and the exact order of "
             "rotation, decide.",
-        .onset = Onset::quadratic,
         .obstacle = {},
         .apply =
             [](pem::CaseParameters& parameters, const EffectInstance& effect, const ParameterAccess&) {

@@ -1,0 +1,16 @@
+#pragma once
+// What a set of effects cannot explain by its own law, however right it is.
+
+#include "diagnosis/fitted_set.hpp"
+
+namespace railpem::diagnosis {
+
+/// Share of the nats that a set explains which its own law may leave: what other effects or free corrections promise beside it and does
+/// not exceed this is no sign that something else is missing. 0.5 % for laws that the frequency domain has exactly (distance between
+/// record and solution, README.md), 2 % where a member is linearised about the level of vibration (Effect::linearised).
+double share_left(const FittedSet& set);
+
+/// That share in nats, `retuned_score` being the score of nothing added; at least `least`.
+double nats_left(const FittedSet& set, double retuned_score, double least);
+
+}  // namespace railpem::diagnosis
