@@ -58,6 +58,15 @@ bool shows(const std::string& id, const std::map<std::string, double>& values, c
     });
 }
 
+/// Whether `simulate` would take the values without --force: a strength that is scaled by another parameter may leave its range.
+bool is_physical(const std::string& id, const std::map<std::string, double>& values) {
+    for (const simulate::HiddenEffect& effect : simulate::hidden_effects())
+        for (const simulate::HiddenParameter& parameter : effect.parameters)
+            if (const auto own = values.find(parameter.name); effect.id == id && own != values.end() && !parameter.is_text)
+                if (own->second < parameter.low || own->second > parameter.high) return false;
+    return true;
+}
+
 const EffectDraw& choose_draw(const std::string& id, DrawStream& stream) {
     std::vector<const EffectDraw*> found;
     for (const std::vector<EffectDraw>* list : {&physics_draws(), &sensor_draws(), &outside_draws()})
@@ -73,7 +82,7 @@ simulate::Hidden draw_effect(const std::string& id, const CaseFile& file, const 
     const EffectDraw& draw = choose_draw(id, stream);
     std::map<std::string, double> values;
     do values = draw_values(draw, stream);
-    while (!shows(id, values, file, records));
+    while (!shows(id, values, file, records) || !is_physical(id, values));
     std::string text = id;
     char separator = ':';
     const auto add = [&](const std::string& name, const std::string& value) {
