@@ -5,96 +5,29 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 
 #include "diagnosis/comb_relatives.hpp"
+#include "diagnosis/from_afar.hpp"
 #include "diagnosis/model_error.hpp"
+#include "diagnosis/worth_refitting.hpp"
 
 namespace railpem::diagnosis {
 
 namespace {
 
-constexpr double kLeastRelease = 3.0;           ///< nats to first order; what a wrong belief distorts is seen too small from there
-constexpr double kLeastWhole = 0.1;   ///< of something that is there as a whole or not: when the data ask for less of it, they ask for something else
-constexpr double kLeastReplacing = 30.0;  ///< nats of what replaces a law: its strength says nothing, for everything else settles anew around it
-constexpr double kLeastShare = 0.04;  ///< of the best promise of its kind (sensor or structure); what is weaker waits for the next round
-constexpr double kLeastShareOfAll = 0.01;  ///< and of the best of all
+constexpr double kLeastRelease = 3.0;  ///< nats to first order; what a wrong belief distorts is seen too small from there
 
-/// One variant of an effect with the starting points that promise most.
-using Starts = std::vector<Promise>;
+/// Thrown between steps when somebody wants to end the search.
+struct Interrupted {};
+
+constexpr double kFar = 50.0;          ///< nats that a start may lie below the fit that it starts from and still be near
+constexpr int kFarIterations = 4;
+constexpr std::size_t kSharpened = 3;  ///< of the effects fitted from afar: those that the blunt likelihood prefers, until nothing is left
 
 /// Whether an effect comes in many numbered variants (orders of a wheel, every n-th seat): those are told by their lines, which the first
 /// derivative sees wherever the fit stands.
 bool is_numbered(const Effect& effect) {
     return std::any_of(effect.choices.begin(), effect.choices.end(), [](const EffectChoice& choice) { return choice.whole_number; });
-}
-
-/// What is worth a refit: few variants per effect, few starting points per variant.
-std::vector<Starts> worth_refitting(const std::vector<Promise>& promises, const std::vector<Candidate>& candidates, double least, int most) {
-    constexpr int kVariantsPerEffect = 2;
-    constexpr std::size_t kStartsPerVariant = 3;
-    std::map<std::string, int> of_effect;
-    std::map<std::string, std::size_t> of_variant;
-    std::map<bool, double> best_of_kind;
-    std::vector<Starts> chosen;
-    for (const Promise& promise : promises) {
-        if (promise.gain < least) break;
-        const EffectInstance& instance = candidates[promise.candidate].instance;
-        const double best = best_of_kind.try_emplace(element_of(*find_effect(instance.effect), instance) == Element::sensor, promise.gain).first->second;
-        if (promise.gain < std::max(kLeastShare * best, kLeastShareOfAll * promises.front().gain)) continue;
-        if (!find_effect(instance.effect)->replaces && candidates[promise.candidate].whole && promise.strength < kLeastWhole) continue;
-        if (find_effect(instance.effect)->replaces && promise.gain < kLeastReplacing) continue;
-        if (const auto known = of_variant.find(label_of(instance)); known != of_variant.end()) {
-            if (chosen[known->second].size() < kStartsPerVariant) chosen[known->second].push_back(promise);
-            continue;
-        }
-        if (static_cast<int>(chosen.size()) >= most || of_effect[instance.effect]++ >= kVariantsPerEffect) continue;
-        of_variant[label_of(instance)] = chosen.size();
-        chosen.push_back({promise});
-    }
-    return chosen;
-}
-
-/// Numbers whose belief the data push against.
-std::vector<std::string> worth_releasing(const Fit& fit, const std::vector<std::string>& released, double least, int most) {
-    std::vector<std::pair<double, std::string>> gains;
-    for (std::size_t i = 0; i < fit.unknowns.size(); ++i) {
-        if (fit.unknowns[i].kind != UnknownKind::number) continue;
-        if (std::find(released.begin(), released.end(), fit.unknowns[i].name) != released.end()) continue;
-        const double gain = release_gain(fit, i, kReleasedDeviation);
-        if (gain > least) gains.emplace_back(gain, fit.unknowns[i].name);
-    }
-    std::sort(gains.rbegin(), gains.rend());
-    std::vector<std::string> keys;
-    for (const auto& [gain, key] : gains)
-        if (static_cast<int>(keys.size()) < most) keys.push_back(key);
-    return keys;
-}
-
-/// Thrown between steps when somebody wants to end the search.
-struct Interrupted {};
-
-constexpr double kBluntFloor = 0.1;
-constexpr int kBluntIterations = 2;
-constexpr int kFurtherBluntIterations = 6;  ///< of an effect's best start
-constexpr double kFar = 50.0;          ///< nats that a start may lie below the fit that it starts from and still be near
-constexpr int kFarIterations = 4;
-constexpr std::size_t kSharpened = 3;  ///< of the effects fitted from afar: those that the blunt likelihood prefers, until nothing is left
-
-/// Typical values, and every parameter in turn near either end of its range.
-std::vector<Candidate> starts_of(const Candidate& candidate) {
-    constexpr double kNearEnd = 0.2;
-    const Effect& effect = *find_effect(candidate.instance.effect);
-    Candidate typical = candidate;
-    for (const EffectParameter& parameter : effect.parameters) typical.instance.values[parameter.name] = parameter.typical;
-    std::vector<Candidate> starts{typical};
-    for (const EffectParameter& parameter : effect.parameters)
-        for (const double share : {kNearEnd, 1.0 - kNearEnd}) {
-            const double low = to_coordinate(parameter, parameter.low), high = to_coordinate(parameter, parameter.high);
-            starts.push_back(typical);
-            starts.back().instance.values[parameter.name] = from_coordinate(parameter, low + share * (high - low));
-        }
-    return starts;
 }
 
 class Search {
@@ -184,11 +117,12 @@ class Search {
             const std::string label = label_of(candidate.instance);
             if (!is_evident(element) || std::find(done.begin(), done.end(), label) != done.end()) continue;
             done.push_back(label);
-            blunt.push_back(best_from_afar(candidate));
+            blunt.push_back(blunt_from_afar(believed_, candidate, context_, [this, label] { say(label + " from afar", 0.7); }));
         }
         std::stable_sort(blunt.begin(), blunt.end(), [](const FittedSet& a, const FittedSet& b) { return a.fit.log_posterior > b.fit.log_posterior; });
         for (std::size_t i = 0; i < std::min(kSharpened, blunt.size()); ++i) {
-            sharpen(blunt[i]);
+            const std::string label = label_of(blunt[i].effects.front().instance);
+            result_.sets.push_back(sharpened(believed_, blunt[i], context_, [this, label] { say(label + " from afar", 0.7); }));
             if (left_over() < bearable()) break;
         }
     }
@@ -196,30 +130,6 @@ class Search {
     void say(const std::string& what, double share) {
         if (options_.progress) options_.progress(what, share);
         if (options_.interrupted && options_.interrupted()) throw Interrupted{};
-    }
-
-    /// Several starts with a likelihood that is blunt enough to be smooth.
-    FittedSet best_from_afar(const Candidate& candidate) {
-        const std::string label = label_of(candidate.instance) + " from afar";
-        FitOptions blunt_options{.iterations = kBluntIterations, .from_far = false};
-        blunt_options.between = [this, label] { say(label, 0.7); };
-        LikelihoodContext blunt = context_;
-        blunt.least_floor = kBluntFloor;
-        FittedSet best;
-        for (const Candidate& start : starts_of(candidate)) {
-            FittedSet set = fit_set(believed_, Fit{}, {start}, {}, {}, blunt, blunt_options);
-            if (best.effects.empty() || set.fit.log_posterior > best.fit.log_posterior) best = std::move(set);
-        }
-        blunt_options.iterations = kFurtherBluntIterations;
-        return fit_set(believed_, best.fit, best.effects, {}, {}, blunt, blunt_options);
-    }
-
-    /// From the blunt likelihood to the sharp one in small steps.
-    void sharpen(const FittedSet& blunt) {
-        const std::string label = label_of(blunt.effects.front().instance) + " from afar";
-        FitOptions sharp_options{.iterations = 20, .stages = {0.1, 0.04, 0.015, 0.006, 0.0025}, .stage_iterations = 5};
-        sharp_options.between = [this, label] { say(label, 0.7); };
-        result_.sets.push_back(fit_set(believed_, blunt.fit, blunt.effects, {}, {}, context_, sharp_options));
     }
 
     void retune() {

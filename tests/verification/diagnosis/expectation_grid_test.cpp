@@ -26,8 +26,8 @@ class ExpectationGrid : public testing::TestWithParam<double> {};
 TEST_P(ExpectationGrid, IsFineEnoughForWhatAChannelSaysAlone) {
     Synthesised made = synthesised(paper_believed({"vehicle.bogie_mass_kg"}), {GetParam()}, 60.0, nine_channels(), {});
     made.believed.numbers.solver.moving = true;
-    const Observation& o = made.observations[0];
-    const pem::CaseParameters parameters = case_of(believed_trial(made.believed, made.observations), made.believed, o);
+    const Observation& o = made.shapes[0];
+    const pem::CaseParameters parameters = case_of(believed_trial(made.believed, made.shapes), made.believed, o);
     ExpectationOptions fine = o.expectation;
     fine.transfer_step_hz /= 8.0;
     const ExpectedSpectra own = expected_spectra(parameters, GetParam(), o.kernel, o.channels, {}, o.expectation);

@@ -1,0 +1,51 @@
+#include "diagnosis/from_afar.hpp"
+
+#include <utility>
+
+namespace railpem::diagnosis {
+
+namespace {
+
+constexpr double kBluntFloor = 0.1;
+constexpr int kBluntIterations = 2;
+constexpr int kFurtherBluntIterations = 6;  ///< of an effect's best start
+
+/// Typical values, and every parameter in turn near either end of its range.
+std::vector<Candidate> starts_of(const Candidate& candidate) {
+    constexpr double kNearEnd = 0.2;
+    const Effect& effect = *find_effect(candidate.instance.effect);
+    Candidate typical = candidate;
+    for (const EffectParameter& parameter : effect.parameters) typical.instance.values[parameter.name] = parameter.typical;
+    std::vector<Candidate> starts{typical};
+    for (const EffectParameter& parameter : effect.parameters)
+        for (const double share : {kNearEnd, 1.0 - kNearEnd}) {
+            const double low = to_coordinate(parameter, parameter.low), high = to_coordinate(parameter, parameter.high);
+            starts.push_back(typical);
+            starts.back().instance.values[parameter.name] = from_coordinate(parameter, low + share * (high - low));
+        }
+    return starts;
+}
+
+}  // namespace
+
+FittedSet blunt_from_afar(const BelievedCase& believed, const Candidate& candidate, const LikelihoodContext& context, const std::function<void()>& between) {
+    FitOptions options{.iterations = kBluntIterations, .from_far = false};
+    options.between = between;
+    LikelihoodContext blunt = context;
+    blunt.least_floor = kBluntFloor;
+    FittedSet best;
+    for (const Candidate& start : starts_of(candidate)) {
+        FittedSet set = fit_set(believed, Fit{}, {start}, {}, {}, blunt, options);
+        if (best.effects.empty() || set.fit.log_posterior > best.fit.log_posterior) best = std::move(set);
+    }
+    options.iterations = kFurtherBluntIterations;
+    return fit_set(believed, best.fit, best.effects, {}, {}, blunt, options);
+}
+
+FittedSet sharpened(const BelievedCase& believed, const FittedSet& blunt, const LikelihoodContext& context, const std::function<void()>& between) {
+    FitOptions options{.iterations = 20, .stages = {0.1, 0.04, 0.015, 0.006, 0.0025}, .stage_iterations = 5};
+    options.between = between;
+    return fit_set(believed, blunt.fit, blunt.effects, {}, {}, context, options);
+}
+
+}  // namespace railpem::diagnosis

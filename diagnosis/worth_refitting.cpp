@@ -1,0 +1,58 @@
+#include "diagnosis/worth_refitting.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "diagnosis/fitted_set.hpp"
+
+namespace railpem::diagnosis {
+
+namespace {
+
+constexpr double kLeastWhole = 0.1;   ///< of something that is there as a whole or not: when the data ask for less of it, they ask for something else
+constexpr double kLeastShare = 0.04;  ///< of the best promise of its kind (sensor or structure); what is weaker waits for the next round
+constexpr double kLeastShareOfAll = 0.01;  ///< and of the best of all
+
+}  // namespace
+
+std::vector<Starts> worth_refitting(const std::vector<Promise>& promises, const std::vector<Candidate>& candidates, double least, int most) {
+    constexpr int kVariantsPerEffect = 2;
+    constexpr std::size_t kStartsPerVariant = 3;
+    std::map<std::string, int> of_effect;
+    std::map<std::string, std::size_t> of_variant;
+    std::map<bool, double> best_of_kind;
+    std::vector<Starts> chosen;
+    for (const Promise& promise : promises) {
+        if (promise.gain < least) break;
+        const EffectInstance& instance = candidates[promise.candidate].instance;
+        const double best = best_of_kind.try_emplace(element_of(*find_effect(instance.effect), instance) == Element::sensor, promise.gain).first->second;
+        if (promise.gain < std::max(kLeastShare * best, kLeastShareOfAll * promises.front().gain)) continue;
+        if (!find_effect(instance.effect)->replaces && candidates[promise.candidate].whole && promise.strength < kLeastWhole) continue;
+        if (find_effect(instance.effect)->replaces && promise.gain < kLeastReplacing) continue;
+        if (const auto known = of_variant.find(label_of(instance)); known != of_variant.end()) {
+            if (chosen[known->second].size() < kStartsPerVariant) chosen[known->second].push_back(promise);
+            continue;
+        }
+        if (static_cast<int>(chosen.size()) >= most || of_effect[instance.effect]++ >= kVariantsPerEffect) continue;
+        of_variant[label_of(instance)] = chosen.size();
+        chosen.push_back({promise});
+    }
+    return chosen;
+}
+
+std::vector<std::string> worth_releasing(const Fit& fit, const std::vector<std::string>& released, double least, int most) {
+    std::vector<std::pair<double, std::string>> gains;
+    for (std::size_t i = 0; i < fit.unknowns.size(); ++i) {
+        if (fit.unknowns[i].kind != UnknownKind::number) continue;
+        if (std::find(released.begin(), released.end(), fit.unknowns[i].name) != released.end()) continue;
+        const double gain = release_gain(fit, i, kReleasedDeviation);
+        if (gain > least) gains.emplace_back(gain, fit.unknowns[i].name);
+    }
+    std::sort(gains.rbegin(), gains.rend());
+    std::vector<std::string> keys;
+    for (const auto& [gain, key] : gains)
+        if (static_cast<int>(keys.size()) < most) keys.push_back(key);
+    return keys;
+}
+
+}  // namespace railpem::diagnosis

@@ -1,0 +1,24 @@
+#pragma once
+// Which promises deserve a refit.
+
+#include <string>
+#include <vector>
+
+#include "diagnosis/screen.hpp"
+
+namespace railpem::diagnosis {
+
+/// One variant of an effect with the starting points that promise most.
+using Starts = std::vector<Promise>;
+
+/// Nats of what replaces a law of the case that deserve a refit: its strength says nothing, for everything else settles anew around it.
+inline constexpr double kLeastReplacing = 30.0;
+
+/// What is worth a refit: at most `most` variants of `least` nats or more, few per effect, few starting points per variant. `promises` as
+/// screen() sorts them.
+std::vector<Starts> worth_refitting(const std::vector<Promise>& promises, const std::vector<Candidate>& candidates, double least, int most);
+
+/// At most `most` numbers of a fit, not `released` already, whose belief the data push against by `least` nats to first order.
+std::vector<std::string> worth_releasing(const Fit& fit, const std::vector<std::string>& released, double least, int most);
+
+}  // namespace railpem::diagnosis
