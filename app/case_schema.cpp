@@ -92,7 +92,7 @@ Table<pem::CaseParameters> case_table() {
     return table;
 }
 
-constexpr const char* kIntroduction =
+constexpr const char* kCaseIntroduction =
     "A case file is TOML. SI units everywhere; every key that carries a unit ends in it. Positions are in metres from "
     "the centre of\n"
     "the vehicle body, positive towards the front. A number may be overridden on the command line with `--set "
@@ -175,7 +175,7 @@ std::string write_case(const pem::CaseParameters& parameters, const std::vector<
 
 std::string describe_case() {
     const pem::CaseParameters defaults;
-    return describe_table("The case file", kIntroduction, case_schema(), &defaults);
+    return describe_table("The case file", kCaseIntroduction, case_schema(), &defaults);
 }
 
 std::vector<CaseNumber> case_numbers(const pem::CaseParameters& parameters) {

@@ -45,8 +45,8 @@ std::string range_text(const Description& description) {
     return description.range.text();
 }
 
-/// Text for a cell of a Markdown table.
-std::string cell(std::string text) {
+/// Text for a cell_text of a Markdown table.
+std::string cell_text(std::string text) {
     for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2) text.insert(at, "\\");
     return text;
 }
@@ -61,8 +61,8 @@ void describe_fields(const TableSchema& schema, const void* defaults, std::strin
         const std::string tolerance =
             description.tolerance > 0.0 ? fmt::format("{:g} %", 100.0 * description.tolerance) : "";
         page += fmt::format("| `{}` | {} | {} | {} | {} | {} | {} | {} |\n", description.key, description.unit,
-                            type_text(description), default_text(field, defaults), cell(range_text(description)),
-                            tolerance, cell(description.says), cell(description.source));
+                            type_text(description), default_text(field, defaults), cell_text(range_text(description)),
+                            tolerance, cell_text(description.says), cell_text(description.source));
     }
     page += "\n";
 }

@@ -8,13 +8,13 @@
 #include <complex>
 #include <set>
 
+#include "app/number_table.hpp"
+
 namespace railpem::app {
 namespace {
 
 using diagnosis::ChannelComparison;
 using diagnosis::Diagnosis;
-
-constexpr int kDigits = 9;  // as in every table of the program
 
 /// Rows of a CSV file; texts are quoted where they must be (RFC 4180).
 class Rows {

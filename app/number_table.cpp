@@ -7,7 +7,6 @@ namespace railpem::app {
 
 namespace {
 
-constexpr int kDigits = 9;
 constexpr std::size_t kLongest = 24;  // sign, digits, point, exponent, separator
 
 }  // namespace

@@ -5,6 +5,8 @@
 
 namespace railpem::app {
 
+inline constexpr int kDigits = 9;  ///< significant ones of a number in any table of the program
+
 /// Named columns of numbers of one length.
 struct NumberTable {
     std::vector<std::string> names;

@@ -24,7 +24,7 @@ Table<RecordingDescription> recording_table() {
     return table;
 }
 
-constexpr const char* kIntroduction =
+constexpr const char* kRecordingIntroduction =
     "A recording is a TOML file that says what was measured where, and a data file. Verbs take the TOML file, or the "
     "folder in\n"
     "which it is called `recording.toml`. All channels are positive in the same vertical direction. What the file does "
@@ -118,7 +118,7 @@ InputError refused(const recordings::ReadError& error) {
 
 std::string describe_recording() {
     const RecordingDescription defaults;
-    return describe_table("The recording", kIntroduction, recording_schema(), &defaults);
+    return describe_table("The recording", kRecordingIntroduction, recording_schema(), &defaults);
 }
 
 }  // namespace railpem::app

@@ -2,17 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <optional>
 
+#include "app/json_values.hpp"
 #include "app/program_version.hpp"
 #include "spectra/comfort.hpp"
 #include "spectra/integrate_psd.hpp"
 #include "spectra/irregularity_spectrum.hpp"
 
 namespace railpem::app {
-
-using Json = nlohmann::ordered_json;
 
 namespace {
 
@@ -23,10 +21,6 @@ Json response_summary(const ResponseSpectra& speed, std::size_t response) {
     return {{acceleration ? "rms_m_per_s2" : "rms_n", spectra::root_mean_square(speed.frequency_hz, psd)},
             {acceleration ? "peak_psd_m2_per_s4_per_hz" : "peak_psd_n2_per_hz", psd[peak]},
             {"peak_frequency_hz", speed.frequency_hz[peak]}};
-}
-
-Json or_null(const std::optional<double>& value) {
-    return value ? Json(*value) : Json(nullptr);
 }
 
 /// What the wheels met: the broadband spectrum over the frequency lines, and the wavelengths that these lines are.

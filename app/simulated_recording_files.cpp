@@ -8,14 +8,20 @@
 #include <fstream>
 #include <memory>
 
+#include "app/hdf5_handle.hpp"
+
 namespace railpem::app {
 
 namespace fs = std::filesystem;
 
 namespace {
 
+std::string failure_of(const fs::path& file) {
+    return fmt::format("the samples cannot be written to {}\nnothing of this run was kept", file.string());
+}
+
 [[noreturn]] void fail(const fs::path& file) {
-    throw OutputError(fmt::format("the samples cannot be written to {}\nnothing of this run was kept", file.string()));
+    throw OutputError(failure_of(file));
 }
 
 void write_csv_file(const fs::path& file, const simulate::Recording& recording) {
@@ -44,39 +50,30 @@ void write_mat_file(const fs::path& file, const simulate::Recording& recording) 
         write_mat_variable(mat.get(), file, channel.name, channel.acceleration_m_per_s2);
 }
 
-/// An HDF5 identifier and how it is given back.
-struct Handle {
-    hid_t id;
-    herr_t (*close)(hid_t);
-    Handle(hid_t opened, herr_t (*closer)(hid_t), const fs::path& file) : id(opened), close(closer) {
-        if (id < 0) fail(file);
-    }
-    Handle(const Handle&) = delete;
-    Handle& operator=(const Handle&) = delete;
-    ~Handle() { close(id); }
-};
-
 void write_dataset(hid_t root, const fs::path& file, const std::string& name, const std::vector<double>& values) {
     constexpr hsize_t kChunk = 1u << 16;
     constexpr unsigned kDeflate = 4;
     const hsize_t size = values.size(), chunk = std::min<hsize_t>(kChunk, size);
-    const Handle space(H5Screate_simple(1, &size, nullptr), H5Sclose, file),
-        options(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, file);
+    const std::string failure = failure_of(file);
+    const Hdf5Handle space(H5Screate_simple(1, &size, nullptr), H5Sclose, failure),
+        options(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, failure);
     H5Pset_chunk(options.id, 1, &chunk);
     H5Pset_deflate(options.id, kDeflate);
     H5Pset_obj_track_times(options.id, false);  // equal seeds, equal bits
-    const Handle set(H5Dcreate2(root, name.c_str(), H5T_IEEE_F64LE, space.id, H5P_DEFAULT, options.id, H5P_DEFAULT),
-                     H5Dclose, file);
+    const Hdf5Handle set(H5Dcreate2(root, name.c_str(), H5T_IEEE_F64LE, space.id, H5P_DEFAULT, options.id, H5P_DEFAULT),
+                         H5Dclose, failure);
     if (H5Dwrite(set.id, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0) fail(file);
 }
 
 void write_hdf5_file(const fs::path& file, const simulate::Recording& recording) {
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-    const Handle root(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose, file);
+    const std::string failure = failure_of(file);
+    const Hdf5Handle root(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose, failure);
     {
-        const Handle space(H5Screate(H5S_SCALAR), H5Sclose, file);
-        const Handle rate(H5Acreate2(root.id, "sampling_rate_hz", H5T_IEEE_F64LE, space.id, H5P_DEFAULT, H5P_DEFAULT),
-                          H5Aclose, file);
+        const Hdf5Handle space(H5Screate(H5S_SCALAR), H5Sclose, failure);
+        const Hdf5Handle rate(
+            H5Acreate2(root.id, "sampling_rate_hz", H5T_IEEE_F64LE, space.id, H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
+            failure);
         if (H5Awrite(rate.id, H5T_NATIVE_DOUBLE, &recording.sampling_rate_hz) < 0) fail(file);
     }
     for (const simulate::Channel& channel : recording.channels)

@@ -26,6 +26,9 @@ struct SimulationRequest {
     bool force = false, standing = false;
 };
 
+/// Throws InputError: `option` is as given, `what` is wrong with it, `allowed` is what would not be.
+[[noreturn]] void refuse_option(const std::string& option, const std::string& what, const std::string& allowed);
+
 /// Ranges of the options. Throws InputError that names the option.
 void check_simulation(const SimulationRequest& request);
 

@@ -52,7 +52,7 @@ Table<SweepDescription> sweep_table() {
     return table;
 }
 
-constexpr const char* kIntroduction =
+constexpr const char* kSweepIntroduction =
     "A sweep file is TOML. It names a case, the numbers of it that vary, and what is kept of every case. `railpem sweep` writes one\n"
     "long table: the case number, the varied values, the speed, the quantity, the response, the frequency where there is one, and the\n"
     "value. This page is printed by `railpem describe sweep`.";
@@ -205,7 +205,7 @@ const TableSchema& sweep_schema() {
 
 std::string describe_sweep() {
     const SweepDescription defaults;
-    return describe_table("The sweep file", kIntroduction, sweep_schema(), &defaults);
+    return describe_table("The sweep file", kSweepIntroduction, sweep_schema(), &defaults);
 }
 
 namespace {

@@ -7,6 +7,8 @@
 
 namespace railpem::app {
 
+inline constexpr std::size_t kCasesPerBlock = 256;  ///< written at a time
+
 /// Values of the rows of cases first … first + count − 1, in order.
 using SweepValues = std::function<std::vector<double>(std::size_t first, std::size_t count)>;
 

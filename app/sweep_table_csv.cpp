@@ -6,15 +6,13 @@
 
 #include <fmt/format.h>
 
+#include "app/number_table.hpp"
 #include "app/output_folder.hpp"
 #include "app/sweep_table.hpp"
 
 namespace railpem::app {
 
 namespace {
-
-constexpr int kDigits = 9;
-constexpr std::size_t kBlock = 256;  ///< cases written at a time
 
 void append_number(std::string& text, double value) {
     char buffer[32];
@@ -98,8 +96,8 @@ void write_sweep_csv(const std::filesystem::path& file, const pem::SweepPlan& pl
     const std::size_t cases = pem::sweep_size(plan);
     Temporary output(file);
     output.write(header(plan));
-    for (std::size_t first = 0; first < cases; first += kBlock) {
-        const std::size_t count = std::min(kBlock, cases - first);
+    for (std::size_t first = 0; first < cases; first += kCasesPerBlock) {
+        const std::size_t count = std::min(kCasesPerBlock, cases - first);
         const std::vector<double> block = values(first, count);
         for (std::size_t i = 0; i < count; ++i) {
             const std::string label = case_label(plan, first + i);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "app/hdf5_handle.hpp"
 #include "app/output_folder.hpp"
 #include "app/sweep_table.hpp"
 
@@ -11,34 +12,23 @@ namespace railpem::app {
 
 namespace {
 
-constexpr std::size_t kBlock = 256;      ///< cases written at a time
-constexpr hsize_t kChunk = 1u << 16;     ///< rows per chunk
+constexpr hsize_t kChunk = 1u << 16;  ///< rows per chunk
 constexpr unsigned kDeflate = 4;
 
-/// Closes what HDF5 opened.
-struct Handle {
-    hid_t id = -1;
-    herr_t (*close)(hid_t) = nullptr;
-    Handle(hid_t opened, herr_t (*closer)(hid_t)) : id(opened), close(closer) {
-        if (id < 0) throw OutputError("HDF5: the table cannot be written");
-    }
-    Handle(const Handle&) = delete;
-    Handle& operator=(const Handle&) = delete;
-    ~Handle() { close(id); }
-};
+constexpr const char* kNotWritten = "HDF5: the table cannot be written";
 
 /// One column of `rows` values, filled block by block.
 void write_column(hid_t file, const std::string& name, hid_t type, hsize_t rows, hsize_t block_rows,
                   const std::function<const void*(std::size_t block, hsize_t count)>& fill) {
-    const Handle space(H5Screate_simple(1, &rows, nullptr), H5Sclose);
-    const Handle options(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+    const Hdf5Handle space(H5Screate_simple(1, &rows, nullptr), H5Sclose, kNotWritten);
+    const Hdf5Handle options(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, kNotWritten);
     const hsize_t chunk = std::min(kChunk, rows);
     H5Pset_chunk(options.id, 1, &chunk);
     H5Pset_deflate(options.id, kDeflate);
-    const Handle set(H5Dcreate2(file, name.c_str(), type, space.id, H5P_DEFAULT, options.id, H5P_DEFAULT), H5Dclose);
+    const Hdf5Handle set(H5Dcreate2(file, name.c_str(), type, space.id, H5P_DEFAULT, options.id, H5P_DEFAULT), H5Dclose, kNotWritten);
     for (hsize_t first = 0, block = 0; first < rows; first += block_rows, ++block) {
         const hsize_t count = std::min(block_rows, rows - first);
-        const Handle memory(H5Screate_simple(1, &count, nullptr), H5Sclose);
+        const Hdf5Handle memory(H5Screate_simple(1, &count, nullptr), H5Sclose, kNotWritten);
         H5Sselect_hyperslab(space.id, H5S_SELECT_SET, &first, nullptr, &count, nullptr);
         if (H5Dwrite(set.id, type, memory.id, space.id, H5P_DEFAULT, fill(static_cast<std::size_t>(block), count)) < 0)
             throw OutputError("HDF5: the table could not be written whole");
@@ -49,7 +39,7 @@ void write_column(hid_t file, const std::string& name, hid_t type, hsize_t rows,
 void write_texts(hid_t file, const std::string& name, const std::vector<std::string>& texts, hsize_t rows, std::size_t cases_per_block) {
     std::size_t length = 1;
     for (const std::string& text : texts) length = std::max(length, text.size());
-    const Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+    const Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose, kNotWritten);
     H5Tset_size(type.id, length);
     H5Tset_strpad(type.id, H5T_STR_NULLPAD);
     std::string block;
@@ -63,16 +53,16 @@ void write_texts(hid_t file, const std::string& name, const std::vector<std::str
 void write_sweep_hdf5(const std::filesystem::path& path, const pem::SweepPlan& plan, const SweepValues& values) {
     const std::vector<pem::SweepRow> rows = pem::sweep_rows(plan);
     const std::size_t per_case = rows.size(), cases = pem::sweep_size(plan);
-    const hsize_t total = cases * per_case, block_rows = kBlock * per_case;
+    const hsize_t total = cases * per_case, block_rows = kCasesPerBlock * per_case;
     const std::filesystem::path writing = path.string() + ".writing";
     {
         H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // failures are reported as exceptions
-        const Handle file(H5Fcreate(writing.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose);
+        const Hdf5Handle file(H5Fcreate(writing.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose, kNotWritten);
         std::vector<double> column;
         const auto per_row = [&](const std::string& name, const std::function<double(std::size_t index, std::size_t row)>& value) {
             write_column(file.id, name, H5T_NATIVE_DOUBLE, total, block_rows, [&](std::size_t block, hsize_t count) -> const void* {
                 column.resize(count);
-                for (std::size_t i = 0; i < count; ++i) column[i] = value(block * kBlock + i / per_case, i % per_case);
+                for (std::size_t i = 0; i < count; ++i) column[i] = value(block * kCasesPerBlock + i / per_case, i % per_case);
                 return column.data();
             });
         };
@@ -85,11 +75,11 @@ void write_sweep_hdf5(const std::filesystem::path& path, const pem::SweepPlan& p
             quantities.push_back(row.quantity);
             responses.push_back(row.response);
         }
-        write_texts(file.id, "quantity", quantities, total, kBlock);
-        write_texts(file.id, "response", responses, total, kBlock);
+        write_texts(file.id, "quantity", quantities, total, kCasesPerBlock);
+        write_texts(file.id, "response", responses, total, kCasesPerBlock);
         per_row("frequency_hz", [&](std::size_t, std::size_t row) { return rows[row].frequency_hz; });
         write_column(file.id, "value", H5T_NATIVE_DOUBLE, total, block_rows, [&](std::size_t block, hsize_t count) -> const void* {
-            column = values(block * kBlock, count / per_case);
+            column = values(block * kCasesPerBlock, count / per_case);
             return column.data();
         });
     }

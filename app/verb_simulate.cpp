@@ -26,12 +26,8 @@ struct SimulateRequest {
     bool list = false;
 };
 
-[[noreturn]] void refuse(const std::string& option, const std::string& what, const std::string& allowed) {
-    throw input_error("", "", {.option = option}, {.what = what, .allowed = allowed, .hint = ""});
-}
-
 void require(bool given, const std::string& option, const std::string& allowed) {
-    if (!given) refuse("railpem simulate", option + " is required", allowed + "; railpem simulate --help says more");
+    if (!given) refuse_option("railpem simulate", option + " is required", allowed + "; railpem simulate --help says more");
 }
 
 simulate::Recording run_with_bar(const CaseFile& file, const Truth& truth) {
@@ -48,9 +44,9 @@ void check_truth_path(const SimulateRequest& request) {
     for (const char* name : {"recording.toml", "recording.csv", "recording.mat", "recording.h5"})
         if (fs::weakly_canonical(request.truth, ignored) ==
             fs::weakly_canonical(fs::path(request.folder) / name, ignored))
-            refuse("--truth " + request.truth, "would overwrite the recording", "another file");
+            refuse_option("--truth " + request.truth, "would overwrite the recording", "another file");
     if (fs::is_directory(request.truth, ignored) || fs::path(request.truth).filename().empty())
-        refuse("--truth " + request.truth, "is a folder", "a file");
+        refuse_option("--truth " + request.truth, "is a folder", "a file");
 }
 
 RecordingFormat format_of(const std::string& name) {

@@ -66,7 +66,7 @@ void run_cases(const SweepRequest& request, const SweepFile& file, ranks::Crew& 
                                                 .next = [&] { return dispenser->next(); }});
 }
 
-void write_table(const SweepRequest& request, const SweepFile& file, const SweepProgressFile& results) {
+void write_sweep_table(const SweepRequest& request, const SweepFile& file, const SweepProgressFile& results) {
     const std::filesystem::path folder = request.folder;
     const SweepValues read = [&](std::size_t first, std::size_t count) { return results.read(first, count); };
     if (as_hdf5(request, file))
@@ -90,7 +90,7 @@ int sweep(const SweepRequest& request) {
     crew->meet();
     if (crew->rank() != 0) return 0;
     results->gather();
-    write_table(request, *file, *results);
+    write_sweep_table(request, *file, *results);
     results->remove();
     return 0;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "diagnosis/interval.hpp"
 #include "diagnosis/scalar_likelihood.hpp"
 #include "recordings/confidence.hpp"
 #include "spectra/third_octaves.hpp"
@@ -13,7 +14,6 @@ namespace railpem::diagnosis {
 namespace {
 
 using recordings::RecordingKind;
-constexpr double kNinety = 1.6449;  ///< 90 % of a Gaussian lie within so many deviations
 
 /// dB per unit of the natural logarithm.
 double db_per_neper(RecordingKind kind) { return (kind == RecordingKind::receptance ? 20.0 : 10.0) / std::log(10.0); }

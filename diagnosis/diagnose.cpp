@@ -9,6 +9,7 @@
 
 #include "diagnosis/compare_channels.hpp"
 #include "diagnosis/inferred_curve.hpp"
+#include "diagnosis/interval.hpp"
 #include "diagnosis/locate.hpp"
 #include "diagnosis/scalar_likelihood.hpp"
 #include "diagnosis/separate.hpp"
@@ -19,7 +20,6 @@ namespace railpem::diagnosis {
 
 namespace {
 
-constexpr double kNinety = 1.6449;
 constexpr int kAnonymousFits = 2;       ///< places whose free correction is fitted in full
 constexpr int kAnonymousIterations = 12;
 constexpr double kAnonymousGain = 1.0;  ///< nats: a score that decides between names within 3 needs no more

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "diagnosis/interval.hpp"
 #include "lanes/factor_curve.hpp"
 #include "pem/contact.hpp"
 #include "track/pad_law.hpp"
@@ -13,7 +14,6 @@ namespace railpem::diagnosis {
 namespace {
 
 using Complex = std::complex<double>;
-constexpr double kNinety = 1.6449;  ///< 90 % of a Gaussian lie within so many deviations
 constexpr int kPoints = 60;
 
 Complex pad_stiffness(const track::TrackParameters& track, double frequency_hz) {

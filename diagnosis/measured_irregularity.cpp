@@ -9,8 +9,8 @@ namespace railpem::diagnosis {
 
 namespace {
 
-constexpr double kLeastDeviation = 0.02;
-constexpr double kSpectrumDeviation = 0.1;
+constexpr double kLeastNodeDeviation = 0.02;
+constexpr double kTableDeviation = 0.1;
 constexpr double kCovered = 0.9;  ///< share of a node's band that a measurement has to reach
 
 /// One measurement's belief between two wavenumbers.
@@ -34,8 +34,8 @@ NodeBelief belief_between(const spectra::IrregularityParameters& believed, const
         expected = spectra::irregularity_psd_m3(believed, centre);
     }
     if (!(own > 0.0) || !(expected > 0.0)) return {};
-    const double deviation = measured.is_profile() ? 1.0 / std::sqrt(measured.averages * static_cast<double>(lines)) : kSpectrumDeviation;
-    return {std::log(own / expected), std::max(kLeastDeviation, deviation), true};
+    const double deviation = measured.is_profile() ? 1.0 / std::sqrt(measured.averages * static_cast<double>(lines)) : kTableDeviation;
+    return {std::log(own / expected), std::max(kLeastNodeDeviation, deviation), true};
 }
 
 }  // namespace
@@ -53,7 +53,7 @@ std::vector<NodeBelief> node_beliefs(const spectra::IrregularityParameters& beli
                 precision += 1.0 / (belief.deviation * belief.deviation);
                 sum += belief.mean / (belief.deviation * belief.deviation);
             }
-        if (precision > 0.0) beliefs[i] = {sum / precision, std::max(kLeastDeviation, 1.0 / std::sqrt(precision)), true};
+        if (precision > 0.0) beliefs[i] = {sum / precision, std::max(kLeastNodeDeviation, 1.0 / std::sqrt(precision)), true};
     }
     return beliefs;
 }

@@ -13,8 +13,6 @@ namespace railpem::diagnosis {
 
 namespace {
 
-constexpr double kDefaultSpeedTolerance = 0.005;  ///< of a stated speed without a standard error
-constexpr double kEdge = 0.9;  ///< the band ends this much inside of what the irregularity excites
 constexpr std::size_t kFewestBins = 20;
 constexpr int kOversampling = 3;  ///< the kernel repeats after 12 s: beyond its own 4 s and every wheel delay
 
@@ -71,8 +69,8 @@ void set_band(Observation& observation, const recordings::WindowKernel& kernel, 
     if (!(v > 0.0))
         throw parameters::ParameterError("speed_m_per_s", "is missing: a time series is told from others by how fast the irregularity passes",
                                          "the mean speed in m/s, to a percent or so (its error is estimated)");
-    observation.expectation.low_hz = std::max(options.low_hz, v / longest / kEdge);
-    observation.expectation.high_hz = std::min({options.high_hz, kEdge * v / shortest, 0.4 * kernel.sampling_rate_hz});
+    observation.expectation.low_hz = std::max(options.low_hz, v / longest / kBandEdge);
+    observation.expectation.high_hz = std::min({options.high_hz, kBandEdge * v / shortest, 0.4 * kernel.sampling_rate_hz});
     observation.expectation.oversampling = kOversampling;
     observation.expectation.weights = expectation_weights(observation.kernel, kOversampling);
     observation.expectation.threads = 1;  // many evaluations run side by side

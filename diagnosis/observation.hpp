@@ -45,6 +45,9 @@ struct Observation {
 
 inline constexpr int kMostChannels = 16;  ///< of a recording that the likelihood takes: its matrices live in registers and on the stack
 
+inline constexpr double kDefaultSpeedTolerance = 0.005;  ///< of a stated speed without a standard error
+inline constexpr double kBandEdge = 0.9;                 ///< a band ends this much inside of what the irregularity excites
+
 /// How a recording is turned into spectra.
 struct ObservationOptions {
     double window_s = 4.0;          ///< long windows see finer differences; shorter ones forgive (diagnosis README)

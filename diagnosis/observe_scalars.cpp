@@ -16,13 +16,11 @@ namespace {
 using parameters::ParameterError;
 using recordings::RecordingKind;
 
-constexpr double kSpeedTolerance = 0.005;      ///< of a stated speed without a standard error
 constexpr double kSpectrumDeviation = 0.10;    ///< of a level whose accuracy nobody states
 constexpr double kReceptanceDeviation = 0.05;  ///< of a hammer test
 constexpr double kDecayDeviation = 0.15;       ///< of a decay rate in a third-octave (reproducibility of EN 15461)
 constexpr double kLeastDeviation = 1e-3;
 constexpr double kPedestal = 0.05;             ///< of the mean level of the third-octave: 13 dB below it
-constexpr double kEdge = 0.9;                  ///< as for time series: inside of what the irregularity excites
 constexpr double kCellsPerOctave = 12.0;       ///< values closer than that share their discrepancy
 constexpr int kHeldOutBand = 4;                ///< one third-octave in so many is held out
 
@@ -111,7 +109,7 @@ void prepare_spectrum(const recordings::Recording& recording, const pem::CasePar
     if (!(observation.speed_m_per_s > 0.0))
         throw ParameterError("speed_m_per_s", "channels of a running train without its speed", "the speed at which they were recorded");
     const double error = recording.description.speed_standard_error_m_per_s;
-    observation.speed_tolerance = error > 0.0 ? error / observation.speed_m_per_s : kSpeedTolerance;
+    observation.speed_tolerance = error > 0.0 ? error / observation.speed_m_per_s : kDefaultSpeedTolerance;
     std::vector<recordings::ChannelDescription> described;
     for (const recordings::ChannelSpectrum& spectrum : recording.spectra) described.push_back(spectrum.description);
     observation.channels = observed_channels(described, believed);
@@ -128,8 +126,8 @@ void prepare_spectrum(const recordings::Recording& recording, const pem::CasePar
         shortest = std::min(shortest, band.shortest_wavelength_m);
     }
     const double v = observation.speed_m_per_s;
-    observation.expectation.low_hz = std::max(options.low_hz, v / longest / kEdge);
-    observation.expectation.high_hz = std::min(options.high_hz, kEdge * v / shortest);
+    observation.expectation.low_hz = std::max(options.low_hz, v / longest / kBandEdge);
+    observation.expectation.high_hz = std::min(options.high_hz, kBandEdge * v / shortest);
     observation.scalar->values = spectrum_values(recording, observation);
     if (recording.description.kind == RecordingKind::psd) {
         observation.scalar->resolution_hz = spacing_of(recording.spectra);

@@ -19,8 +19,8 @@ namespace {
 using Complex = std::complex<double>;
 using recordings::RecordingKind;
 
-constexpr int kLinesPerBand = 9;      ///< of a third-octave of a decay rate
-constexpr double kReachBins = 4.0;    ///< of the Hann kernel that spreads a line
+constexpr int kLinesPerBand = 9;        ///< of a third-octave of a decay rate
+constexpr double kLineReachBins = 4.0;  ///< of the Hann kernel that spreads a line
 
 double wrapped(double phase) { return std::remainder(phase, 2.0 * std::numbers::pi); }
 
@@ -61,7 +61,7 @@ class ChannelPsd {
         for (const pem::LineSet& set : excitation_.lines)
             for (const pem::SpectralLine& line : set.lines) {
                 const double distance = frequency - line.frequency_hz;
-                if (std::abs(distance) > kReachBins * width) continue;
+                if (std::abs(distance) > kLineReachBins * width) continue;
                 const Complex* at = response_at(channel, line.frequency_hz);
                 Complex response = 0.0;
                 for (std::size_t j = 0; j < 4; ++j) response += at[j] * line.amplitude_m[j];

@@ -17,7 +17,7 @@ bool depends_on_level(const Trial& trial) {
            });
 }
 
-Reuse shared_with(const Trial& trial, Element element) {
+Reuse shared_with_element(const Trial& trial, Element element) {
     switch (element) {
         case Element::irregularity: return depends_on_level(trial) ? Reuse::rail : Reuse::transfers;
         case Element::pad:
@@ -38,17 +38,17 @@ Reuse shared_with(const Trial& trial, Element element) {
 Reuse shared_with(const Trial& trial, const Unknown& unknown) {
     switch (unknown.kind) {
         case UnknownKind::irregularity:
-        case UnknownKind::passing: return shared_with(trial, Element::irregularity);
-        case UnknownKind::number: return shared_with(trial, element_of_key(unknown.name));
+        case UnknownKind::passing: return shared_with_element(trial, Element::irregularity);
+        case UnknownKind::number: return shared_with_element(trial, element_of_key(unknown.name));
         case UnknownKind::effect: return shared_with(trial, trial.effects[static_cast<std::size_t>(unknown.index)]);
-        case UnknownKind::correction: return shared_with(trial, unknown.element);
+        case UnknownKind::correction: return shared_with_element(trial, unknown.element);
         case UnknownKind::gain: return Reuse::transfers;
         default: return Reuse::nothing;
     }
 }
 
 Reuse shared_with(const Trial& trial, const EffectInstance& effect) {
-    return shared_with(trial, element_of(*find_effect(effect.effect), effect));
+    return shared_with_element(trial, element_of(*find_effect(effect.effect), effect));
 }
 
 bool moves(const Unknown& unknown, const Trial& trial, const Observation& observation, std::size_t o) {

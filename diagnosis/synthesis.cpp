@@ -16,7 +16,6 @@ namespace {
 
 constexpr double kSamplingRate_hz = 1000.0;
 constexpr double kSensorNoise_m_per_s2 = 0.02;  ///< rms up to half the sampling rate
-constexpr double kSpeedTolerance = 0.005;
 
 /// Averages of a part of `seconds`.
 MeasuredSpectra empty_part(double seconds, const ObservationOptions& options, std::size_t bins) {
@@ -94,7 +93,7 @@ MeasuredSpectra mean_of(const MeasuredSpectra& first, const MeasuredSpectra& sec
 
 Observation observation_shape(double speed_m_per_s, double payload_kg, double seconds, const std::vector<std::string>& responses,
                               const pem::CaseParameters& believed, const ObservationOptions& options) {
-    Observation shape{.name = "synthesised", .speed_m_per_s = speed_m_per_s, .speed_tolerance = kSpeedTolerance, .payload_kg = payload_kg};
+    Observation shape{.name = "synthesised", .speed_m_per_s = speed_m_per_s, .speed_tolerance = kDefaultSpeedTolerance, .payload_kg = payload_kg};
     for (const std::string& response : responses) {
         shape.channels.push_back({shape.channels.size(), pem::response_index(response)});
         shape.channel_names.push_back(response);

@@ -10,7 +10,7 @@ namespace railpem::diagnosis {
 namespace {
 
 constexpr int kSteps = 4;             ///< of Newton's method for s; Fisher's information is nearly exact
-constexpr double kLongestStep = 1.0;
+constexpr double kLongestNewtonStep = 1.0;
 constexpr double kNear = 1e-3;        ///< a step that is not worth making: ½·n·r·s² is below a thousandth of a nat
 constexpr double kLeastExcess = 1e-6;
 
@@ -100,7 +100,7 @@ void whiten(const Trial& trial, const Observation& observation, std::size_t inde
     WhitenedBin next;
     for (int i = 0; i < kSteps; ++i) {
         const double slope = trace_of_product(best.scale, best.residual, parts.size) - stiffness * s;
-        const double step = std::clamp(slope / (processes + stiffness), -kLongestStep, kLongestStep);
+        const double step = std::clamp(slope / (processes + stiffness), -kLongestNewtonStep, kLongestNewtonStep);
         if (std::abs(step) < kNear) break;
         whiten_at(parts, s + step, next);
         next.log_likelihood -= 0.5 * stiffness * (s + step) * (s + step);

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "pem/angular_frequency.hpp"
 #include "pem/contact.hpp"
 #include "pem/passing_lines.hpp"
 #include "spectra/irregularity_spectrum.hpp"
@@ -13,8 +13,6 @@
 namespace railpem::pem {
 
 namespace {
-
-constexpr double kTwoPi = 2.0 * std::numbers::pi;
 
 /// A source met by the wheels one after the other: spectrum(f) in m²/Hz with the delays d_j/v.
 Source delayed_source(std::string name, std::vector<double> wheels_m, double speed, std::function<double(double)> spectrum) {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "pem/angular_frequency.hpp"
 #include "pem/contact.hpp"
 #include "pem/solution.hpp"
 #include "pem/wheel_transfers.hpp"
@@ -12,7 +12,6 @@ namespace railpem::pem {
 
 namespace {
 
-constexpr double kTwoPi = 2.0 * std::numbers::pi;
 constexpr int kMostIterations = 200;
 constexpr double kSettled = 1e-10;
 constexpr double kRelaxation = 0.7;   ///< of the new value; friction alone converges from below and above alternately

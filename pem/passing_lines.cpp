@@ -4,17 +4,15 @@
 #include <cassert>
 #include <cmath>
 #include <complex>
-#include <numbers>
 #include <optional>
 
+#include "pem/angular_frequency.hpp"
 #include "pem/passing_positions.hpp"
 
 namespace railpem::pem {
 
 namespace {
 
-using Complex = std::complex<double>;
-constexpr double kTwoPi = 2.0 * std::numbers::pi;
 constexpr int kOrdersPerBay = 4;  ///< the deflection over a bay has hardly more (fifth order below 1e-3 of the first)
 constexpr int kPositionsPerBay = 12;  ///< samples the fourth order three times per wave
 constexpr int kPulseReach =
@@ -76,7 +74,7 @@ Samples sampled_positions(const CaseParameters& parameters, const std::vector<do
 
 /// Fourier coefficient m of −P0·ΣC over a period of n bays, for each order of a lane group, at each order's own
 /// frequency.
-std::array<std::array<Complex, 4>, lanes::width> coefficients(const CaseParameters& parameters, const Samples& train,
+std::array<std::array<std::complex<double>, 4>, lanes::width> coefficients(const CaseParameters& parameters, const Samples& train,
                                                               const std::array<int, lanes::width>& orders, int period,
                                                               double speed) {
     lanes::Real omega{};
@@ -85,21 +83,21 @@ std::array<std::array<Complex, 4>, lanes::width> coefficients(const CaseParamete
     const int samples = kPositionsPerBay * period;
     assert(train.sample.size() == static_cast<std::size_t>(samples));
     const double share = wheel_load_n(parameters) / samples;
-    std::vector<Complex> roots;  // of unity: e^{−2πi·k/samples}
+    std::vector<std::complex<double>> roots;  // of unity: e^{−2πi·k/samples}
     for (int k = 0; k < samples; ++k) roots.push_back(std::polar(1.0, -kTwoPi * k / samples));
     const std::vector<lanes::Complex> deflection = train.positions.deflection(omega);
     std::array<lanes::Complex, 4> sum{};
     for (int k = 0; k < samples; ++k) {
         lanes::Real re{}, im{};
         for (int lane = 0; lane < lanes::width; ++lane) {
-            const Complex& root = roots[static_cast<std::size_t>(orders[lane] * k % samples)];
+            const std::complex<double>& root = roots[static_cast<std::size_t>(orders[lane] * k % samples)];
             re[lane] = root.real();
             im[lane] = root.imag();
         }
         const auto& [place, mirrored] = train.sample[static_cast<std::size_t>(k)];
         for (std::size_t wheel = 0; wheel < 4; ++wheel) sum[wheel] += deflection[4 * place + (mirrored ? 3 - wheel : wheel)] * lanes::Complex(re, im);
     }
-    std::array<std::array<Complex, 4>, lanes::width> result{};
+    std::array<std::array<std::complex<double>, 4>, lanes::width> result{};
     for (int lane = 0; lane < lanes::width; ++lane)
         for (std::size_t wheel = 0; wheel < 4; ++wheel) result[static_cast<std::size_t>(lane)][wheel] = -share * sum[wheel][lane];
     return result;

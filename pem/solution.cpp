@@ -9,6 +9,7 @@
 #include <numbers>
 #include <optional>
 
+#include "pem/angular_frequency.hpp"
 #include "pem/coupled_model.hpp"
 #include "pem/excitation.hpp"
 #include "pem/linearise.hpp"
@@ -47,13 +48,6 @@ std::vector<double> frequency_lines(const FrequencyParameters& grid) {
 }
 
 namespace {
-
-lanes::Real group_omega(const std::vector<double>& frequencies, std::size_t group) {
-    lanes::Real omega{};
-    for (std::size_t lane = 0; lane < lanes::width; ++lane)
-        omega[lane] = 2.0 * std::numbers::pi * frequencies[std::min(group * lanes::width + lane, frequencies.size() - 1)];
-    return omega;
-}
 
 bool is_zero(const WheelVector& irregularity) {
     for (const lanes::Complex& e : irregularity)

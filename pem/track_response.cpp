@@ -1,9 +1,9 @@
 #include "pem/track_response.hpp"
 
 #include <cmath>
-#include <numbers>
 #include <optional>
 
+#include "pem/angular_frequency.hpp"
 #include "pem/rail_model.hpp"
 #include "pem/threads.hpp"
 #include "track/decay_rate.hpp"
@@ -13,17 +13,8 @@ namespace railpem::pem {
 
 namespace {
 
-constexpr double kTwoPi = 2.0 * std::numbers::pi;
-
 /// K0 of a pad far from every wheel: with a preload-dependent law that of the unloaded track.
 double unloaded_pad_stiffness(const CaseParameters& parameters) { return case_equilibrium(parameters).unloaded_dynamic_stiffness_n_per_m; }
-
-lanes::Real group_omega(const std::vector<double>& frequencies, std::size_t group) {
-    lanes::Real omega;
-    for (std::size_t lane = 0; lane < lanes::width; ++lane)
-        omega[lane] = kTwoPi * frequencies[std::min(group * lanes::width + lane, frequencies.size() - 1)];
-    return omega;
-}
 
 }  // namespace
 

@@ -62,7 +62,7 @@ py::list channels(const py::object& object) {
     return list;
 }
 
-std::filesystem::path save(const Diagnosis& self, const std::filesystem::path& folder) {
+std::filesystem::path save_diagnosis(const Diagnosis& self, const std::filesystem::path& folder) {
     app::OutputFolder output(folder, "save");
     app::write_diagnosis(output, self.result, self.request);
     output.commit();
@@ -78,8 +78,8 @@ void bind_diagnose(py::module_& module) {
         .def_property_readonly("statement", [](const Diagnosis& self) { return self.result.statement; })
         .def_property_readonly("channels", &channels, "Per recording and channel: measured (with low and high), believed, retuned and diagnosed spectra.")
         .def("diagnosed_toml", [](const Diagnosis& self) { return app::diagnosed_case_text(self.result); },
-             "The case with the named physics; its irregularity is a file that save() writes beside it.")
-        .def("save", &save, py::arg("folder"), "Every file that `railpem diagnose` writes; gives the folder.")
+             "The case with the named physics; its irregularity is a file that save_diagnosis() writes beside it.")
+        .def("save", &save_diagnosis, py::arg("folder"), "Every file that `railpem diagnose` writes; gives the folder.")
         .def("_json", [](const Diagnosis& self) { return app::diagnosis_json(self.result); });
     module.def("_diagnose", &diagnose, py::arg("case"), py::arg("recordings"), py::arg("window_s"), py::arg("held_out"), py::arg("most_effects"), py::arg("threads"));
 }

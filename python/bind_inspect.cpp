@@ -28,7 +28,7 @@ std::unique_ptr<Report> inspect(const std::filesystem::path& path, const Case* b
     });
 }
 
-std::vector<std::string> names(const Report& self) {
+std::vector<std::string> inspected_channels(const Report& self) {
     std::vector<std::string> list;
     for (const recordings::ChannelInspection& channel : self.channels) list.push_back(channel.description.name);
     return list;
@@ -38,7 +38,7 @@ py::array_t<double> psd(const py::object& object, const std::string& name) {
     const Report& self = object.cast<const Report&>();
     for (const recordings::ChannelInspection& channel : self.channels)
         if (channel.description.name == name) return array_view(channel.psd, object);
-    throw py::key_error("there is no channel '" + name + "'; allowed: " + app::joined(names(self)));
+    throw py::key_error("there is no channel '" + name + "'; allowed: " + app::joined(inspected_channels(self)));
 }
 
 std::vector<std::string> faults(const Report& self) {
@@ -53,7 +53,7 @@ void bind_inspect(py::module_& module) {
     py::class_<Report>(module, "Inspection", "What a recording holds and whether it can be trusted.")
         .def_property_readonly("verdict", &recordings::verdict_of, "One sentence.")
         .def_property_readonly("faults", &faults, "What is wrong or remarkable, errors first.")
-        .def_property_readonly("names", &names)
+        .def_property_readonly("names", &inspected_channels)
         .def_property_readonly("duration_s", [](const Report& self) { return self.duration_s; })
         .def_property_readonly("sampling_rate_hz", [](const Report& self) { return self.sampling_rate_hz; })
         .def_property_readonly("frequency_hz", [](const py::object& self) { return array_view(self.cast<const Report&>().frequency_hz, self); })

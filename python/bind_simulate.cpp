@@ -33,7 +33,7 @@ std::unique_ptr<Recording> simulate_recording(const Case& self, app::SimulationR
     });
 }
 
-std::vector<std::string> names(const Recording& self) {
+std::vector<std::string> recorded_channels(const Recording& self) {
     std::vector<std::string> list;
     for (const simulate::Channel& channel : self.recording.channels) list.push_back(channel.name);
     return list;
@@ -43,10 +43,10 @@ py::array_t<double> channel(const py::object& object, const std::string& name) {
     const Recording& self = object.cast<const Recording&>();
     for (const simulate::Channel& channel : self.recording.channels)
         if (channel.name == name) return array_view(channel.acceleration_m_per_s2, object);
-    throw py::key_error("there is no channel '" + name + "'; allowed: " + app::joined(names(self)));
+    throw py::key_error("there is no channel '" + name + "'; allowed: " + app::joined(recorded_channels(self)));
 }
 
-std::filesystem::path save(const Recording& self, const std::filesystem::path& folder) {
+std::filesystem::path save_recording(const Recording& self, const std::filesystem::path& folder) {
     app::OutputFolder output(folder, "save");
     app::write_simulated_recording(output, self.recording, app::RecordingFormat::csv);
     output.commit();
@@ -59,10 +59,10 @@ void bind_simulate(py::module_& module) {
     py::class_<Recording>(module, "Recording", "What nine accelerometers would have recorded.")
         .def_property_readonly("sampling_rate_hz", [](const Recording& self) { return self.recording.sampling_rate_hz; })
         .def_property_readonly("speed_m_per_s", [](const Recording& self) { return self.recording.speed_m_per_s; })
-        .def_property_readonly("names", &names)
+        .def_property_readonly("names", &recorded_channels)
         .def("__getitem__", &channel, "Acceleration of a channel in m/s^2, \"axlebox_1\" for instance.")
         .def("__len__", [](const Recording& self) { return self.recording.samples(); })
-        .def("save", &save, py::arg("folder"), py::call_guard<py::gil_scoped_release>(),
+        .def("save", &save_recording, py::arg("folder"), py::call_guard<py::gil_scoped_release>(),
              "recording.toml and recording.csv in the folder, as `railpem simulate` writes them; gives the folder.")
         .def("_truth", [](const Recording& self) { return app::truth_text(self.truth, self.recording); });
     module.def(

@@ -17,7 +17,7 @@ void append_little_endian(std::string& out, double value) {
 }
 
 /// "E" format of Fortran with a mantissa of one digit before the point, as every reader takes it.
-std::string number(double value, int width, int digits) {
+std::string exponent_number(double value, int width, int digits) {
     return fmt::format("{:>{}.{}E}", value, width, digits);
 }
 
@@ -34,8 +34,8 @@ std::string records(const UffDataset& dataset) {
                        dataset.response_direction, dataset.reference_entity.empty() ? "NONE" : dataset.reference_entity,
                        dataset.reference_node, dataset.reference_direction);
     out += fmt::format("{:10d}{:10d}{:10d}{}{}{}\n", dataset.complex ? 6 : 4, dataset.size(),
-                       dataset.abscissa.empty() ? 1 : 0, number(dataset.abscissa_start, 13, 5),
-                       number(dataset.abscissa_step, 13, 5), number(0.0, 13, 5));
+                       dataset.abscissa.empty() ? 1 : 0, exponent_number(dataset.abscissa_start, 13, 5),
+                       exponent_number(dataset.abscissa_step, 13, 5), exponent_number(0.0, 13, 5));
     out += axis(dataset.abscissa_kind, dataset.abscissa_unit) + axis(dataset.ordinate_kind, dataset.ordinate_unit) +
            axis(dataset.denominator_kind, dataset.denominator_unit);
     return out + axis(0, "");
@@ -48,9 +48,9 @@ std::string text_data(const UffDataset& dataset) {
     const bool even = dataset.abscissa.empty();
     const std::size_t points_per_line = dataset.complex ? (even ? 2 : 1) : (even ? 4 : 2);
     for (std::size_t i = 0; i < dataset.size(); ++i) {
-        if (!even) out += number(dataset.abscissa[i], 13, 5);
-        out += number(dataset.real[i], 20, 12);
-        if (dataset.complex) out += number(dataset.imaginary[i], 20, 12);
+        if (!even) out += exponent_number(dataset.abscissa[i], 13, 5);
+        out += exponent_number(dataset.real[i], 20, 12);
+        if (dataset.complex) out += exponent_number(dataset.imaginary[i], 20, 12);
         if ((i + 1) % points_per_line == 0 || i + 1 == dataset.size()) out += '\n';
     }
     return out;

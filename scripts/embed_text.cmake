@@ -4,8 +4,10 @@ string(REGEX REPLACE "([0-9a-f][0-9a-f])" "0x\\1," bytes "${hex}")
 string(REGEX REPLACE "(0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,)" "\\1\n" bytes "${bytes}")
 file(WRITE ${OUTPUT} "#include \"${FOLDER}/page/page_parts.hpp\"
 namespace railpem::${FOLDER} {
+std::string_view ${NAME}() {
 static const unsigned char bytes[] = {
 ${bytes}};
-std::string_view ${NAME}() { return {reinterpret_cast<const char*>(bytes), sizeof(bytes)}; }
+return {reinterpret_cast<const char*>(bytes), sizeof(bytes)};
+}
 }
 ")

@@ -29,12 +29,12 @@ double largest_lane(Real a) {
 }
 
 /// F(S) and its slope, one compression per lane (pad_force, pad_stiffness).
-struct ForceAndSlope {
+struct ForcesAndSlopes {
     Real force_n{}, slope_n_per_m{};
 };
 
-ForceAndSlope curve_value(const PadCurve& curve, Real s) {
-    ForceAndSlope value;
+ForcesAndSlopes curve_value(const PadCurve& curve, Real s) {
+    ForcesAndSlopes value;
     if (curve.polynomial_n.empty()) {
         for (int lane = 0; lane < lanes::width; ++lane) {
             value.force_n[lane] = pad_force(curve, s[lane]);
@@ -67,7 +67,7 @@ struct SeatStep {
 };
 
 SeatStep seat_step(const SeatLaw& seat, Real scale, Real deflection, Real compression) {
-    const ForceAndSlope pad = curve_value(seat.curve, compression);
+    const ForcesAndSlopes pad = curve_value(seat.curve, compression);
     const Real force = scale * (pad.force_n - seat.clip_preload_n), slope = scale * pad.slope_n_per_m;
     const Real following = 1.0 / (1.0 + seat.support_compliance_m_per_n * slope);
     const Real own = (deflection - compression - seat.support_compliance_m_per_n * force) * following;
@@ -89,7 +89,7 @@ void multiply_and_subtract(const LoadedRail& rail, const std::vector<Real>& u, s
 }
 
 /// Solves matrix·x = b by LDLᵀ, x in place of b, the matrix destroyed.
-void solve_in_place(std::vector<Column>& matrix, std::vector<Real>& x) {
+void solve_abreast(std::vector<Column>& matrix, std::vector<Real>& x) {
     const std::size_t n = x.size();
     for (std::size_t i = 0; i + 1 < n; ++i) {
         Column& column = matrix[i];
@@ -153,7 +153,7 @@ class Abreast {
         for (std::size_t i = 0; i < tangent_.size(); ++i)
             for (std::size_t k = 0; k < 4; ++k) tangent_[i][k] = lanes::broadcast(rail_.stiffness(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(i)));
         for (std::size_t j = 0; j < seats_.size(); ++j) tangent_[deflection(j)][0] += seats_[j].tangent_n_per_m;
-        solve_in_place(tangent_, unbalanced_);
+        solve_abreast(tangent_, unbalanced_);
         for (std::size_t i = 0; i < unbalanced_.size(); ++i) shape.deflection[i] += unbalanced_[i];
         for (std::size_t j = 0; j < seats_.size(); ++j)
             shape.compression[j] += seats_[j].own_step_m + seats_[j].following * unbalanced_[deflection(j)];

@@ -12,9 +12,6 @@ namespace railpem::track {
 
 namespace {
 
-/// Two positions closer than this are one node; far below any length that matters, far above rounding of positions.
-constexpr double kSameNode = 1e-9;
-
 int length_index(std::vector<double>& lengths, double length) {
     for (std::size_t i = 0; i < lengths.size(); ++i)
         if (std::abs(lengths[i] - length) < kSameNode) return static_cast<int>(i);

@@ -12,9 +12,6 @@ using lanes::Complex;
 
 namespace {
 
-constexpr std::size_t kMostPoints = 4;
-constexpr double kSameNode = 1e-9;  ///< as in exact_rail
-
 /// A unit force in the bay: into what is behind the next pad; to be called before cross_bay().
 WavePair forced(const BayPoint& point, const WavePair& excited, const BayFactors& bay, const Behind& behind) {
     const auto& [p1, p2] = point.from_rear;

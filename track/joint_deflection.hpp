@@ -10,6 +10,8 @@
 
 namespace railpem::track {
 
+inline constexpr std::size_t kMostPoints = 4;  ///< on one rail: the wheels of a vehicle
+
 /// Where the points stand in a row of seats.
 struct PlacedPoint {
     std::size_t seat = 0;  ///< the one at or behind the point

@@ -10,8 +10,6 @@ using lanes::Matrix2;
 
 namespace {
 
-constexpr std::size_t kMostPoints = 4;
-
 /// Of the amplitudes that a force sends out, smaller to larger, squared: below it one of them is rounding.
 constexpr double kLeastShare = 1e-16;
 

@@ -7,6 +7,9 @@
 
 namespace railpem::track {
 
+/// Two positions closer than this, m, are one; far below any length that matters, far above rounding of positions.
+inline constexpr double kSameNode = 1e-9;
+
 struct Seat {
     double position_m = 0.0;
     double pad_stiffness_n_per_m = 0.0;  ///< K0 of the sound pad

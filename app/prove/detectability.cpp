@@ -9,8 +9,6 @@ namespace railpem::app {
 
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
 struct Sighting {
     double strength;  ///< growing with the effect
     double value;     ///< of the parameter
@@ -36,7 +34,7 @@ double threshold_of(const std::vector<Sighting>& ascending) {
         fewest = detected_below + missed_above;
         at = i + 1;
     }
-    return at == 0 || at == ascending.size() ? kNaN : ascending[at].value;
+    return at == 0 || at == ascending.size() ? NAN : ascending[at].value;
 }
 
 void add_strengths(const EffectDraw& draw, std::vector<Sighting> sightings, Detectability& found) {
@@ -67,7 +65,7 @@ std::vector<Detectability> detectability_of(const std::vector<ScoredTrial>& tria
     }
     std::vector<Detectability> list;
     for (auto& [id, own] : effects) {
-        own.first.smallest_detected = own.first.largest_missed = own.first.threshold = kNaN;
+        own.first.smallest_detected = own.first.largest_missed = own.first.threshold = NAN;
         if (!own.second.empty()) add_strengths(*find_draw(id), own.second, own.first);
         list.push_back(own.first);
     }

@@ -96,7 +96,7 @@ std::vector<EffectDraw> outside_vehicle_draws() {
     };
 }
 
-std::vector<EffectDraw> joined(std::vector<std::vector<EffectDraw>> lists) {
+std::vector<EffectDraw> merged(std::vector<std::vector<EffectDraw>> lists) {
     std::vector<EffectDraw> all;
     for (const std::vector<EffectDraw>& list : lists) all.insert(all.end(), list.begin(), list.end());
     return all;
@@ -105,7 +105,7 @@ std::vector<EffectDraw> joined(std::vector<std::vector<EffectDraw>> lists) {
 }  // namespace
 
 const std::vector<EffectDraw>& physics_draws() {
-    static const std::vector<EffectDraw> all = joined({track_draws(), irregularity_draws(), vehicle_draws()});
+    static const std::vector<EffectDraw> all = merged({track_draws(), irregularity_draws(), vehicle_draws()});
     return all;
 }
 
@@ -125,7 +125,7 @@ const EffectDraw& parameter_error_draw() {
 }
 
 const std::vector<EffectDraw>& outside_draws() {
-    static const std::vector<EffectDraw> all = joined(
+    static const std::vector<EffectDraw> all = merged(
         {outside_vehicle_draws(),
          {{"pad-dead-band", {{"gap_m", 5e-5, 1e-3, logarithmic}, {"at_load_n", 1e4, 4e4, uniform}}, "gap_m"},
           {"wandering-subgrade",

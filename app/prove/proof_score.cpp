@@ -11,7 +11,6 @@ namespace railpem::app {
 
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kLeastMisfit = 0.02;  ///< nats per second of held-out misfit after retuning below which a share of it says nothing
 
 template <typename Among, typename Hit>
@@ -104,7 +103,7 @@ void add_baselines(const std::vector<ScoredTrial>& trials, std::vector<Measure>&
 }
 
 double quantile(std::vector<double> values, double share) {
-    if (values.empty()) return kNaN;
+    if (values.empty()) return NAN;
     std::sort(values.begin(), values.end());
     return values[static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size()))) - (share > 0.0)];
 }
@@ -120,7 +119,7 @@ void score_misfit(const std::vector<ScoredTrial>& trials, ProofScore& score) {
         shares.push_back(1.0 - j.misfit_after / j.misfit_retuned);
     }
     score.misfit_trials = shares.size();
-    score.misfit_removed = shares.empty() ? kNaN : 1.0 - after / retuned;
+    score.misfit_removed = shares.empty() ? NAN : 1.0 - after / retuned;
     score.misfit_removed_median = quantile(shares, 0.5);
 }
 
@@ -147,7 +146,7 @@ ProofScore score_of(const std::vector<ScoredTrial>& trials) {
         sets += static_cast<double>(j.sets_returned);
         with_sets += 1.0;
     }
-    score.mean_set_size = with_sets > 0.0 ? sets / with_sets : kNaN;
+    score.mean_set_size = with_sets > 0.0 ? sets / with_sets : NAN;
     add_nulls_and_places(trials, score.measures);
     add_names(trials, score.measures);
     add_boundaries(trials, score.measures);

@@ -3,22 +3,18 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <set>
 
 #include "app/fingerprint.hpp"
+#include "app/json_values.hpp"
 
 namespace railpem::app {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
 Json proportion_json(const Proportion& proportion) {
     const auto [low, high] = wilson_interval(proportion);
-    return {{"value", number(proportion.value())}, {"hits", proportion.hits}, {"of", proportion.of}, {"low", low}, {"high", high}};
+    return {{"value", or_null(proportion.value())}, {"hits", proportion.hits}, {"of", proportion.of}, {"low", low}, {"high", high}};
 }
 
 Json measure_json(const Measure& measure) {
@@ -45,7 +41,7 @@ Json confusion_json(const ProofScore& score) {
 Json calibration_json(const ProofScore& score) {
     Json array = Json::array();
     for (const CalibrationBin& bin : score.calibration)
-        array.push_back({{"low", bin.low}, {"high", bin.high}, {"mean_probability", number(bin.true_sets.of ? bin.mean_probability : NAN)}, {"true", proportion_json(bin.true_sets)}});
+        array.push_back({{"low", bin.low}, {"high", bin.high}, {"mean_probability", or_null(bin.true_sets.of ? bin.mean_probability : NAN)}, {"true", proportion_json(bin.true_sets)}});
     return array;
 }
 
@@ -57,9 +53,9 @@ Json detectability_json(const ProofScore& score) {
                          {"weak_when_large", own.weak_when_large},
                          {"detected", proportion_json(own.detected)},
                          {"named", proportion_json(own.named)},
-                         {"smallest_detected", number(own.smallest_detected)},
-                         {"largest_missed", number(own.largest_missed)},
-                         {"threshold", number(own.threshold)}});
+                         {"smallest_detected", or_null(own.smallest_detected)},
+                         {"largest_missed", or_null(own.largest_missed)},
+                         {"threshold", or_null(own.threshold)}});
     return array;
 }
 
@@ -103,8 +99,8 @@ Json wrong_json(const std::vector<ScoredTrial>& trials) {
                          {"rivals", rival_labels(result)},
                          {"place", result.places.empty() ? "" : result.places.front().first},
                          {"records", trial.truth->records.size()},
-                         {"retuned_rms_db", number(result.retuned.rms_db)},
-                         {"hidden_by_retuning", number(result.hidden_by_retuning)},
+                         {"retuned_rms_db", or_null(result.retuned.rms_db)},
+                         {"hidden_by_retuning", or_null(result.hidden_by_retuning)},
                          {"retuned_outside", result.retuned_outside},
                          {"failure", result.failure}});
     }
@@ -191,11 +187,11 @@ std::string score_json(const ProofScore& score, const std::vector<ScoredTrial>& 
         {"failed", score.failed},
         {"kinds", score.kinds},
         {"measures", measures},
-        {"mean_set_size", {{"value", number(score.mean_set_size)}, {"goal", {{"at_most", 1.3}}}}},
+        {"mean_set_size", {{"value", or_null(score.mean_set_size)}, {"goal", {{"at_most", 1.3}}}}},
         {"held_out_misfit_removed",
-         {{"value", number(score.misfit_removed)}, {"median", number(score.misfit_removed_median)}, {"trials", score.misfit_trials}, {"goal", {{"at_least", 0.95}}}}},
+         {{"value", or_null(score.misfit_removed)}, {"median", or_null(score.misfit_removed_median)}, {"trials", score.misfit_trials}, {"goal", {{"at_least", 0.95}}}}},
         {"seconds_per_diagnosis",
-         {{"median", number(score.seconds.median)}, {"ninetieth", number(score.seconds.ninetieth)}, {"largest", number(score.seconds.largest)}, {"goal", {{"at_most", 60.0}}}}},
+         {{"median", or_null(score.seconds.median)}, {"ninetieth", or_null(score.seconds.ninetieth)}, {"largest", or_null(score.seconds.largest)}, {"goal", {{"at_most", 60.0}}}}},
         {"interval", "Wilson, 95 %"},
         {"wrong_counts", wrong_counts(trials)},
         {"confusion", confusion_json(score)},

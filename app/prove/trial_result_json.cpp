@@ -1,18 +1,13 @@
 #include <cmath>
 #include <limits>
-#include <nlohmann/json.hpp>
 
 #include "app/input_error.hpp"
+#include "app/json_values.hpp"
 #include "app/prove/trial_result.hpp"
 
 namespace railpem::app {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-/// JSON knows neither NaN nor infinity: null.
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 double number_of(const Json& json, const char* name) {
     const Json& value = json.at(name);
@@ -22,11 +17,11 @@ double number_of(const Json& json, const char* name) {
 Json effect_json(const ClaimedEffect& claimed) {
     Json parameters = Json::object();
     for (const diagnosis::FittedParameter& p : claimed.parameters)
-        parameters[p.name] = {{"value", number(p.value)}, {"low", number(p.low)}, {"high", number(p.high)}, {"unit", p.unit}};
+        parameters[p.name] = {{"value", or_null(p.value)}, {"low", or_null(p.low)}, {"high", or_null(p.high)}, {"unit", p.unit}};
     return {{"effect", claimed.effect},
             {"choices", claimed.choices},
             {"element", claimed.element},
-            {"probability", number(claimed.probability)},
+            {"probability", or_null(claimed.probability)},
             {"parameters", parameters}};
 }
 
@@ -36,17 +31,6 @@ ClaimedEffect effect_of(const Json& json) {
     for (const auto& [name, value] : json.at("parameters").items())
         claimed.parameters.push_back({name, number_of(value, "value"), number_of(value, "low"), number_of(value, "high"), value.at("unit")});
     return claimed;
-}
-
-template <typename List, typename ToJson>
-Json array_of(const List& list, const ToJson& to_json) {
-    Json array = Json::array();
-    for (const auto& item : list) array.push_back(to_json(item));
-    return array;
-}
-
-Json figures(const diagnosis::FitFigures& fit) {
-    return {{"rms_db", number(fit.rms_db)}, {"log_likelihood_per_second", number(fit.log_likelihood_per_second)}};
 }
 
 diagnosis::FitFigures figures_of(const Json& json) { return {number_of(json, "rms_db"), number_of(json, "log_likelihood_per_second")}; }
@@ -81,18 +65,18 @@ TrialResult result_of(const Json& json) {
 }  // namespace
 
 std::string trial_result_text(const TrialResult& result, const std::string& label) {
-    const auto set = [](const ClaimedSet& s) -> Json { return {{"effects", array_of(s.effects, effect_json)}, {"probability", number(s.probability)}}; };
-    const auto probable = [](const diagnosis::EffectSet& s) -> Json { return {{"effects", s.effects}, {"probability", number(s.probability)}}; };
-    const auto place = [](const auto& p) -> Json { return {{"element", p.first}, {"probability", number(p.second)}}; };
+    const auto set = [](const ClaimedSet& s) -> Json { return {{"effects", array_of(s.effects, effect_json)}, {"probability", or_null(s.probability)}}; };
+    const auto probable = [](const diagnosis::EffectSet& s) -> Json { return {{"effects", s.effects}, {"probability", or_null(s.probability)}}; };
+    const auto place = [](const auto& p) -> Json { return {{"element", p.first}, {"probability", or_null(p.second)}}; };
     const auto value = [](const ClaimedNumber& n) -> Json {
-        return {{"key", n.key}, {"value", number(n.value)}, {"low", number(n.low)}, {"high", number(n.high)}};
+        return {{"key", n.key}, {"value", or_null(n.value)}, {"low", or_null(n.low)}, {"high", or_null(n.high)}};
     };
-    const Json fit{{"before", figures(result.before)},
-                   {"retuned", figures(result.retuned)},
-                   {"after", figures(result.after)},
-                   {"held_out_before", figures(result.held_out_before)},
-                   {"held_out_retuned", figures(result.held_out_retuned)},
-                   {"held_out_after", figures(result.held_out_after)}};
+    const Json fit{{"before", figures_json(result.before)},
+                   {"retuned", figures_json(result.retuned)},
+                   {"after", figures_json(result.after)},
+                   {"held_out_before", figures_json(result.held_out_before)},
+                   {"held_out_retuned", figures_json(result.held_out_retuned)},
+                   {"held_out_after", figures_json(result.held_out_after)}};
     const Json json{{"trial", result.trial},
                     {"hidden", Json::parse(label)},
                     {"failure", result.failure},
@@ -102,12 +86,12 @@ std::string trial_result_text(const TrialResult& result, const std::string& labe
                     {"posterior", array_of(result.posterior, probable)},
                     {"places", array_of(result.places, place)},
                     {"fit", fit},
-                    {"hidden_by_retuning", number(result.hidden_by_retuning)},
+                    {"hidden_by_retuning", or_null(result.hidden_by_retuning)},
                     {"retuned_outside", result.retuned_outside},
                     {"numbers", array_of(result.numbers, value)},
-                    {"bic_gain", number(result.bic_gain)},
-                    {"seconds_simulated", number(result.seconds_simulated)},
-                    {"seconds_diagnosed", number(result.seconds_diagnosed)},
+                    {"bic_gain", or_null(result.bic_gain)},
+                    {"seconds_simulated", or_null(result.seconds_simulated)},
+                    {"seconds_diagnosed", or_null(result.seconds_diagnosed)},
                     {"program", result.program}};
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

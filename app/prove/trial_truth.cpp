@@ -1,7 +1,7 @@
 #include "app/prove/trial_truth.hpp"
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "app/prove/effect_draws.hpp"
@@ -9,8 +9,6 @@
 namespace railpem::app {
 
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 std::string place_of(const simulate::Hidden& hidden) {
     if (hidden.id == "parameter-error") return element_name(diagnosis::element_of_key(hidden.values.texts.at("parameter")));
@@ -44,10 +42,10 @@ std::vector<std::string> true_places(const TrialTruth& truth) {
 }
 
 double true_strength(const TrialTruth& truth) {
-    if (truth.hidden.size() != 1) return kNaN;
+    if (truth.hidden.size() != 1) return NAN;
     const simulate::Hidden& hidden = truth.hidden.front();
     const EffectDraw* draw = find_draw(hidden.id);
-    if (!draw || draw->strength.empty() || !hidden.values.numbers.count(draw->strength)) return kNaN;
+    if (!draw || draw->strength.empty() || !hidden.values.numbers.count(draw->strength)) return NAN;
     return hidden.values.numbers.at(draw->strength);
 }
 
@@ -63,7 +61,7 @@ double true_value(const TrialTruth& truth, const std::string& effect, const std:
         if (found == hidden.values.numbers.end()) continue;
         return parameter == "level_db" ? found->second + truth.level_db : found->second;
     }
-    return kNaN;
+    return NAN;
 }
 
 std::string trial_truth_text(const TrialTruth& truth) {

@@ -9,8 +9,6 @@
 namespace railpem::recordings::checks {
 namespace {
 
-constexpr double false_alarm = 1e-6;
-
 Fault about(FaultKind kind, std::vector<std::string> channels, std::string says, double value, double p) {
     Fault found;
     found.kind = kind;

@@ -13,7 +13,7 @@ namespace railpem::recordings::checks {
 namespace {
 
 constexpr std::size_t parts = 16;
-constexpr double false_alarm = 1e-5;  ///< per channel and test
+constexpr double offset_false_alarm = 1e-5;  ///< per channel and test
 
 struct Line {
     double mean = 0.0, slope = 0.0;  ///< slope per part
@@ -133,7 +133,7 @@ void check_offset(const Evidence& evidence, std::vector<Fault>& faults) {
         Line line;
         if (rms == 0.0 || channel.samples.size() < 16 * parts || !fit_line(channel.samples, line)) continue;
         const std::string unit = value_unit(channel.description);
-        if (line.p_mean < false_alarm && std::abs(line.mean) > least_offset * rms) {
+        if (line.p_mean < offset_false_alarm && std::abs(line.mean) > least_offset * rms) {
             Fault found;
             found.kind = FaultKind::offset;
             found.channels = {channel.description.name};
@@ -147,7 +147,7 @@ void check_offset(const Evidence& evidence, std::vector<Fault>& faults) {
             faults.push_back(std::move(found));
         }
         const double drift = line.slope * static_cast<double>(parts);
-        if (line.p_slope < false_alarm && std::abs(drift) > least_drift * rms) {
+        if (line.p_slope < offset_false_alarm && std::abs(drift) > least_drift * rms) {
             Fault found;
             found.kind = FaultKind::drift;
             found.channels = {channel.description.name};

@@ -9,8 +9,6 @@
 namespace railpem::recordings::checks {
 namespace {
 
-constexpr double false_alarm = 1e-6;
-
 Fault inverted(std::vector<std::string> channels, std::string says) {
     Fault found;
     found.kind = FaultKind::inverted;

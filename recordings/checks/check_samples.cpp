@@ -12,7 +12,6 @@ namespace {
 
 /// Values closer than this share of the range are the same number written twice.
 constexpr double same_value = 1e-9;
-constexpr double false_alarm = 1e-6;
 
 struct Run {
     std::size_t begin = 0, length = 0;

@@ -4,15 +4,10 @@
 #include <cmath>
 
 #include "recordings/checks/checks.hpp"
+#include "recordings/checks/median.hpp"
 
 namespace railpem::recordings::checks {
 namespace {
-
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
 
 Fault whole_record(FaultKind kind, Severity severity, std::string says, double value, std::string unit) {
     Fault found;

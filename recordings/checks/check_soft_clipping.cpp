@@ -11,8 +11,6 @@
 namespace railpem::recordings::checks {
 namespace {
 
-constexpr double false_alarm = 1e-6;
-
 /// Largest |value| of every stretch between two changes of sign, in falling order.
 std::vector<double> peaks_of(const std::vector<double>& x) {
     std::vector<double> peaks;

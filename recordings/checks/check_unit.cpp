@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "recordings/checks/checks.hpp"
+#include "recordings/checks/median.hpp"
 #include "recordings/units.hpp"
 
 namespace railpem::recordings::checks {
@@ -27,12 +28,6 @@ constexpr std::array<UnitError, 6> unit_errors = {
      {1e-3, "1000 too low: numbers in m taken for mm"},
      {1e3 * standard_gravity_m_per_s2, "9810 too high"},
      {1e-3 / standard_gravity_m_per_s2, "9810 too low"}}};
-
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
 
 /// The unit error that explains a level difference, with the probability that there is none.
 const UnitError* explain(double level_db, double& probability_none) {

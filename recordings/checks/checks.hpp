@@ -15,6 +15,8 @@
 
 namespace railpem::recordings::checks {
 
+inline constexpr double false_alarm = 1e-6;  ///< of a test that stands for itself, in a sound record
+
 /// What the checks look at, computed once.
 struct Evidence {
     const Recording& recording;

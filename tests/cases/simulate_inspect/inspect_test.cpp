@@ -18,8 +18,6 @@ namespace {
 
 using nlohmann::json;
 
-const std::string kCase = std::string(RAILPEM_SOURCE_DIR) + "/cases/wei2016/case2.toml";
-
 /// One clean record of 21 s (the inspection calls less than 20 s short) for all tests; none of them writes into it.
 const Folder& simulated() {
     static std::unique_ptr<Folder> folder;
@@ -116,7 +114,7 @@ TEST(Inspect, PagesAndSeveralRecordings) {
     EXPECT_EQ(folder.read("page.html"), folder.read("pages/other.inspection.html"));
 }
 
-struct Refusal {
+struct WrongDescription {
     std::string from, to;  ///< in the description
     std::string message;
 };
@@ -125,7 +123,7 @@ struct Refusal {
 TEST(Inspect, BadDescriptionsAreRefused) {
     const std::string good =
         "sampling_rate_hz = 1000.0\ndata = \"d.csv\"\n[[channel]]\nname = \"a\"\nlocation = \"wheel\"\nindex = 1\n";
-    const std::vector<Refusal> refusals{
+    const std::vector<WrongDescription> refusals{
         {"sampling_rate_hz", "sampling_rate",
          "r.toml:1:1: unknown key 'sampling_rate' in the file\n  1 | sampling_rate = 1000.0\n    | "
          "^^^^^^^^^^^^^\nallowed: title, kind, data, sampling_rate_hz, speed_m_per_s, "
@@ -147,7 +145,7 @@ TEST(Inspect, BadDescriptionsAreRefused) {
          "r.toml:2:16: there is no file 'no.csv'\n  2 | irregularity = \"no.csv\"\n    |                "
          "^^^^^^^^\nallowed: a path relative to this file\n"},
     };
-    for (const Refusal& refusal : refusals) {
+    for (const WrongDescription& refusal : refusals) {
         const Folder folder;
         std::string text = good;
         text.replace(text.find(refusal.from), refusal.from.size(), refusal.to);

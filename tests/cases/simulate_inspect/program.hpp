@@ -7,6 +7,8 @@
 
 namespace railpem::tests {
 
+inline const std::string kCase = std::string(RAILPEM_SOURCE_DIR) + "/cases/wei2016/case2.toml";
+
 struct Outcome {
     int status = -1;      ///< exit status; -1: killed
     std::string output;   ///< standard output

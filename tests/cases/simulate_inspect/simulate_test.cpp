@@ -12,8 +12,6 @@ namespace {
 
 using nlohmann::json;
 
-const std::string kCase = std::string(RAILPEM_SOURCE_DIR) + "/cases/wei2016/case2.toml";
-
 /// The shortest record that a lowest frequency of 1 Hz allows.
 std::vector<std::string> simulation(const std::string& out, const std::vector<std::string>& more = {}) {
     std::vector<std::string> arguments{"simulate",  kCase, "--set", "frequency.from_hz=1",

@@ -1,6 +1,7 @@
 #include "program_run.hpp"
 
 #include <fcntl.h>
+#include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -94,6 +95,18 @@ std::string minimal_case(const std::string& from, const std::string& to) {
     const std::size_t at = text.find(from);
     if (at == std::string::npos) throw std::runtime_error("minimal.toml has no '" + from + "'");
     return text.replace(at, from.size(), to);
+}
+
+void expect_refused(const std::string& text, const std::string& message, const std::vector<std::string>& options) {
+    const ProgramFolder folder;
+    folder.write("case.toml", text);
+    std::vector<std::string> arguments{"solve", "case.toml", "--out", "new/results"};
+    for (const std::string& option : options) arguments.insert(arguments.end(), {"--set", option});
+    const Outcome outcome = folder.run(arguments);
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_EQ(outcome.message, message + "\n");
+    EXPECT_EQ(outcome.output, "");
+    EXPECT_EQ(folder.content(), std::vector<std::string>{"case.toml"});
 }
 
 }  // namespace railpem::tests

@@ -39,4 +39,7 @@ class ProgramFolder {
 /// The valid case of minimal.toml with `from` replaced by `to` (which must be in it).
 std::string minimal_case(const std::string& from = "", const std::string& to = "");
 
+/// Solves the text as case.toml and expects this message, and nothing written.
+void expect_refused(const std::string& text, const std::string& message, const std::vector<std::string>& options = {});
+
 }  // namespace railpem::tests

@@ -12,19 +12,6 @@ constexpr const char* kVehicleKeys =
     "bogie_distance_m, wheelbase_m, "
     "wheel_radius_m, payload_kg, primary, secondary, body_bending, wheelset_bending, bogie_mounted_mass";
 
-/// Solves the text as case.toml and expects this message, and nothing written.
-void expect_refused(const std::string& text, const std::string& message, const std::vector<std::string>& options = {}) {
-    const ProgramFolder folder;
-    folder.write("case.toml", text);
-    std::vector<std::string> arguments{"solve", "case.toml", "--out", "new/results"};
-    for (const std::string& option : options) arguments.insert(arguments.end(), {"--set", option});
-    const Outcome outcome = folder.run(arguments);
-    EXPECT_EQ(outcome.status, 2);
-    EXPECT_EQ(outcome.message, message + "\n");
-    EXPECT_EQ(outcome.output, "");
-    EXPECT_EQ(folder.content(), std::vector<std::string>{"case.toml"});
-}
-
 TEST(RefusedCases, TheMinimalCaseItselfIsSolved) {
     const ProgramFolder folder;
     folder.write("case.toml", minimal_case());

@@ -11,18 +11,12 @@
 
 #include "app/input_error.hpp"
 #include "app/read_table.hpp"
+#include "file_text.hpp"
 
 namespace railpem::app {
 namespace {
 
 const std::filesystem::path kPaper = std::filesystem::path(RAILPEM_SOURCE_DIR) / "cases/wei2016";
-
-std::string text_of(const std::filesystem::path& file) {
-    std::ifstream stream(file);
-    std::ostringstream text;
-    text << stream.rdbuf();
-    return text.str();
-}
 
 pem::CaseParameters paper_case(const std::vector<std::string>& options = {}) {
     return read_case((kPaper / "case3.toml").string(), options).parameters;
@@ -132,7 +126,7 @@ TEST(Options, OverrideAddAndAppend) {
 }
 
 TEST(Options, ReplaceATolerance) {
-    const std::string text = text_of(kPaper / "case3.toml") +
+    const std::string text = testing::file_text(kPaper / "case3.toml") +
                              "\n[tolerance]\n\"vehicle.body_mass_kg\" = 0.1\nvehicle.wheelset_mass_kg = 0.2\n";
     const pem::CaseParameters parameters =
         parse_case("case.toml", text, {"tolerance.vehicle.body_mass_kg=0.3", "tolerance.vehicle.wheelset_mass_kg=0.4"})
@@ -179,7 +173,7 @@ TEST(CaseNumbers, TakeTheToleranceOfTheCaseOrOfTheField) {
 }
 
 TEST(ReferencePage, IsUpToDate) {
-    EXPECT_EQ(text_of(std::filesystem::path(RAILPEM_SOURCE_DIR) / "docs/case.md"), describe_case())
+    EXPECT_EQ(testing::file_text(std::filesystem::path(RAILPEM_SOURCE_DIR) / "docs/case.md"), describe_case())
         << "run: railpem describe case > docs/case.md";
 }
 

@@ -271,4 +271,8 @@ Diagnosis recording_fault() {
     return d;
 }
 
+std::vector<Diagnosis> every_verdict() {
+    return {explained(), ambiguous(), consistent(), unexplained(), recording_fault()};
+}
+
 }  // namespace railpem::app::testing

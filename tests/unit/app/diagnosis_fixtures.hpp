@@ -2,6 +2,8 @@
 // Diagnoses with something in every field, one for each verdict. The numbers are invented, of the size that real ones
 // have.
 
+#include <vector>
+
 #include "diagnosis/diagnosis.hpp"
 
 namespace railpem::app::testing {
@@ -12,5 +14,8 @@ diagnosis::Diagnosis ambiguous();
 diagnosis::Diagnosis consistent();
 diagnosis::Diagnosis unexplained();
 diagnosis::Diagnosis recording_fault();
+
+/// All of them.
+std::vector<diagnosis::Diagnosis> every_verdict();
 
 }  // namespace railpem::app::testing

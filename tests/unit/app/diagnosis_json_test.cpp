@@ -18,11 +18,6 @@ Json written(const Diagnosis& diagnosis) {
     return Json::parse(diagnosis_json(diagnosis));
 }
 
-std::vector<Diagnosis> all() {
-    return {testing::explained(), testing::ambiguous(), testing::consistent(), testing::unexplained(),
-            testing::recording_fault()};
-}
-
 /// Kinds of the contract's values: "s" text, "n" number or null, "a" array, "o" object, "p" probability.
 void expect_kinds(const Json& json, const std::map<std::string, char>& kinds, const std::string& where) {
     ASSERT_TRUE(json.is_object()) << where;
@@ -49,7 +44,7 @@ void expect_kinds(const Json& json, const std::map<std::string, char>& kinds, co
 }
 
 TEST(DiagnosisJson, HasEveryKeyOfTheContractInEveryVerdict) {
-    for (const Diagnosis& diagnosis : all()) {
+    for (const Diagnosis& diagnosis : testing::every_verdict()) {
         const Json json = written(diagnosis);
         expect_kinds(json,
                      {{"verdict", 's'},
@@ -104,7 +99,7 @@ TEST(DiagnosisJson, StartsWithTheKeysOfTheContractInItsOrder) {
 
 TEST(DiagnosisJson, VerdictsHaveTheirNames) {
     std::vector<std::string> names;
-    for (const Diagnosis& diagnosis : all()) names.push_back(written(diagnosis)["verdict"]);
+    for (const Diagnosis& diagnosis : testing::every_verdict()) names.push_back(written(diagnosis)["verdict"]);
     EXPECT_EQ(names,
               (std::vector<std::string>{"explained", "ambiguous", "consistent", "unexplained", "recording-fault"}));
 }

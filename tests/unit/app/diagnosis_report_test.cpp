@@ -17,11 +17,6 @@ using diagnosis::Diagnosis;
 
 const std::string kCommand = "railpem diagnose case.toml run_60 run_80 --out 'a <b>'";
 
-std::vector<Diagnosis> all() {
-    return {testing::explained(), testing::ambiguous(), testing::consistent(), testing::unexplained(),
-            testing::recording_fault()};
-}
-
 /// The page without Chart.js, scripts and style: what is said and drawn.
 std::string content(const Diagnosis& diagnosis) {
     const std::string page = diagnosis_report(diagnosis, kCommand);
@@ -99,7 +94,7 @@ TEST(DiagnosisReport, TextFromFilesIsHarmless) {
 }
 
 TEST(DiagnosisReport, NeverSaysNotANumber) {
-    for (const Diagnosis& diagnosis : all()) {
+    for (const Diagnosis& diagnosis : testing::every_verdict()) {
         const std::string page = content(diagnosis) + data(diagnosis).dump();
         EXPECT_FALSE(std::regex_search(page, std::regex("[^a-z](nan|inf)[^a-z]"))) << verdict_name(diagnosis.verdict);
     }

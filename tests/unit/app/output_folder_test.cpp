@@ -4,14 +4,15 @@
 #include <unistd.h>
 
 #include <fstream>
-#include <sstream>
+
+#include "file_text.hpp"
 
 namespace railpem::app {
 namespace {
 
 namespace fs = std::filesystem;
 
-class OutputFolderTest : public testing::Test {
+class OutputFolderTest : public ::testing::Test {
   protected:
     void SetUp() override {
         std::string name = (fs::temp_directory_path() / "railpem-output-XXXXXX").string();
@@ -19,11 +20,6 @@ class OutputFolderTest : public testing::Test {
         root_ = name;
     }
     void TearDown() override { fs::remove_all(root_); }
-    static std::string text_of(const fs::path& file) {
-        std::ostringstream text;
-        text << std::ifstream(file).rdbuf();
-        return text.str();
-    }
     static std::size_t count(const fs::path& folder) {
         return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), {}));
     }
@@ -36,8 +32,8 @@ TEST_F(OutputFolderTest, ShowsNothingBeforeTheCommit) {
     EXPECT_FALSE(fs::exists(root_ / "a/b/one.csv"));
     folder.write("two.csv", "2\n");
     folder.commit();
-    EXPECT_EQ(text_of(root_ / "a/b/one.csv"), "1\n");
-    EXPECT_EQ(text_of(root_ / "a/b/two.csv"), "2\n");
+    EXPECT_EQ(testing::file_text(root_ / "a/b/one.csv"), "1\n");
+    EXPECT_EQ(testing::file_text(root_ / "a/b/two.csv"), "2\n");
     EXPECT_EQ(count(root_ / "a/b"), 2u);
 }
 
@@ -56,11 +52,11 @@ TEST_F(OutputFolderTest, LeavesWhatWasThereBefore) {
         OutputFolder folder(root_ / "a");
         folder.write("one.csv", "new");
     }
-    EXPECT_EQ(text_of(root_ / "a/one.csv"), "old");
+    EXPECT_EQ(testing::file_text(root_ / "a/one.csv"), "old");
     OutputFolder folder(root_ / "a");
     folder.write("one.csv", "new");
     folder.commit();
-    EXPECT_EQ(text_of(root_ / "a/one.csv"), "new");
+    EXPECT_EQ(testing::file_text(root_ / "a/one.csv"), "new");
     EXPECT_EQ(count(root_ / "a"), 1u);
 }
 

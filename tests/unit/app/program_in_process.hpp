@@ -50,10 +50,10 @@ inline ProgramResult run(std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), "railpem");
     std::vector<const char*> argv;
     for (const std::string& argument : arguments) argv.push_back(argument.c_str());
-    testing::internal::CaptureStderr();
+    ::testing::internal::CaptureStderr();
     ProgramResult result;
     result.status = run_program(static_cast<int>(argv.size()), argv.data());
-    result.message = testing::internal::GetCapturedStderr();
+    result.message = ::testing::internal::GetCapturedStderr();
     return result;
 }
 

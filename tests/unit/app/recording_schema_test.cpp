@@ -4,22 +4,16 @@
 
 #include <filesystem>
 #include <fstream>
-#include <sstream>
+
+#include "file_text.hpp"
 
 namespace railpem::app {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::string text_of(const fs::path& file) {
-    std::ifstream stream(file);
-    std::ostringstream text;
-    text << stream.rdbuf();
-    return text.str();
-}
-
 TEST(RecordingSchema, PageIsUpToDate) {
-    EXPECT_EQ(text_of(fs::path(RAILPEM_SOURCE_DIR) / "docs/recording.md"), describe_recording())
+    EXPECT_EQ(testing::file_text(fs::path(RAILPEM_SOURCE_DIR) / "docs/recording.md"), describe_recording())
         << "run: railpem describe recording > docs/recording.md";
 }
 

@@ -11,11 +11,9 @@
 namespace railpem::diagnosis {
 namespace {
 
-constexpr double kSpeed = 80.0 / 3.6;
-
 pem::Solution solved(const pem::CaseParameters& c) {
     pem::check(c);
-    return pem::solve_case(c, kSpeed, {.threads = 1});
+    return pem::solve_case(c, tests::kPaperSpeed, {.threads = 1});
 }
 
 /// Largest difference of any spectrum, relative to its value, or to 1e-6 of its peak where the wheels cancel each

@@ -6,13 +6,11 @@
 
 #include <random>
 
+#include "diagnosis/interval.hpp"
 #include "tests/unit/diagnosis/synthesised_fixture.hpp"
 
 namespace railpem::diagnosis {
 namespace {
-
-constexpr double kNinety = 1.6449;
-const ObservationOptions kSmall{.window_s = 1.0, .low_hz = 4.0, .high_hz = 40.0};
 
 Synthesised small() {
     return synthesised(paper_believed({"vehicle.primary.stiffness_n_per_m", "vehicle.primary.damping_n_s_per_m", "vehicle.bogie_mass_kg"}), {20.0},

@@ -12,13 +12,10 @@
 namespace railpem::diagnosis {
 namespace {
 
-constexpr double kSpeed = 80.0 / 3.6;
-const ObservationOptions kSmall{.window_s = 1.0, .low_hz = 4.0, .high_hz = 40.0};
-
 Synthesised small(const std::vector<std::string>& responses) {
     return synthesised(paper_believed({"vehicle.bogie_mass_kg", "vehicle.primary.stiffness_n_per_m", "vehicle.primary.damping_n_s_per_m",
                                        "track.pads.static_stiffness_n_per_m"}),
-                       {kSpeed}, 60.0, responses, kSmall);
+                       {tests::kPaperSpeed}, 60.0, responses, kSmall);
 }
 
 /// Something that is not the truth, with floor.

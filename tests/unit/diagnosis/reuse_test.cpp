@@ -12,8 +12,6 @@
 namespace railpem::diagnosis {
 namespace {
 
-const ObservationOptions kSmall{.window_s = 1.0, .low_hz = 4.0, .high_hz = 40.0};
-
 Synthesised world(const std::vector<EffectInstance>& effects) {
     Synthesised made = synthesised(paper_believed({"vehicle.bogie_mass_kg", "vehicle.wheelset_mass_kg", "vehicle.primary.stiffness_n_per_m",
                                                    "vehicle.secondary.damping_n_s_per_m", "contact.constant_m_per_n23",

@@ -72,6 +72,9 @@ struct Synthesised {
     }
 };
 
+/// Few bins, for tests that need no more.
+inline constexpr ObservationOptions kSmall{.window_s = 1.0, .low_hz = 4.0, .high_hz = 40.0};
+
 /// Recordings at several speeds, not drawn yet; the truth is the believed case.
 inline Synthesised synthesised(BelievedCase believed, const std::vector<double>& speeds, double seconds,
                                const std::vector<std::string>& responses, const ObservationOptions& options) {

@@ -14,14 +14,13 @@ namespace railpem::pem {
 namespace {
 
 using Complex = std::complex<double>;
-constexpr double kSpeed = 80.0 / 3.6;
 const lanes::Real omega{6.0, 60.0, 360.0, 1200.0};
 
 lanes::FactorCurve constant(Complex value) { return {.frequency_hz = {30.0}, .value = {value}}; }
 
 /// Responses to a unit irregularity under each wheel.
 std::vector<Complex> responses_of(const CaseParameters& parameters) {
-    const CoupledModel model = coupled_model(parameters, kSpeed);
+    const CoupledModel model = coupled_model(parameters, tests::kPaperSpeed);
     CoupledWorkspace work(model);
     const GroupSolution& solution = solve_group(model, omega, work);
     std::vector<Complex> values;
@@ -103,7 +102,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(ContactCorrection, ComplexComplianceOnTheDiagonal) {
     CaseParameters corrected = exact_case();
     corrected.contact.correction = {.frequency_hz = {5.0, 150.0}, .value = {{0.8, 0.1}, {0.5, 0.4}}};
-    const CoupledModel model = coupled_model(corrected, kSpeed);
+    const CoupledModel model = coupled_model(corrected, tests::kPaperSpeed);
     CoupledWorkspace work(model);
     const GroupSolution& solution = solve_group(model, omega, work);
     for (int lane = 0; lane < lanes::width; ++lane)

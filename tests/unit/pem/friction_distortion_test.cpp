@@ -11,14 +11,14 @@
 namespace railpem::pem {
 namespace {
 
-constexpr double kStep = 0.5;
-constexpr std::size_t kLines = 240;  ///< to 120 Hz
+constexpr double kVelocityStep_hz = 0.5;
+constexpr std::size_t kVelocityLines = 240;  ///< to 120 Hz
 
 /// Two velocities with a shared and an own part around 8 Hz.
 VelocitySpectra two_velocities() {
-    VelocitySpectra own{.from_hz = kStep, .step_hz = kStep, .elements = 2, .lines = kLines, .values = {}};
-    for (std::size_t k = 0; k < kLines; ++k) {
-        const double f = kStep * static_cast<double>(k + 1), level = 1e-4 * std::exp(-0.5 * std::pow((f - 8.0) / 2.0, 2));
+    VelocitySpectra own{.from_hz = kVelocityStep_hz, .step_hz = kVelocityStep_hz, .elements = 2, .lines = kVelocityLines, .values = {}};
+    for (std::size_t k = 0; k < kVelocityLines; ++k) {
+        const double f = kVelocityStep_hz * static_cast<double>(k + 1), level = 1e-4 * std::exp(-0.5 * std::pow((f - 8.0) / 2.0, 2));
         const std::complex<double> cross = 0.6 * level * std::polar(1.0, -2.0 * std::numbers::pi * f * 0.02);
         own.values.insert(own.values.end(), {level, cross, std::conj(cross), level});
     }
@@ -27,8 +27,8 @@ VelocitySpectra two_velocities() {
 
 double band_power(const std::vector<std::complex<double>>& psd, std::size_t entry, double from, double to) {
     double sum = 0.0;
-    for (std::size_t k = 0; k < kLines; ++k)
-        if (const double f = kStep * static_cast<double>(k + 1); f >= from && f < to) sum += psd[4 * k + entry].real() * kStep;
+    for (std::size_t k = 0; k < kVelocityLines; ++k)
+        if (const double f = kVelocityStep_hz * static_cast<double>(k + 1); f >= from && f < to) sum += psd[4 * k + entry].real() * kVelocityStep_hz;
     return sum;
 }
 
@@ -40,20 +40,20 @@ double realised_power(double force, double from, double to) {
     std::normal_distribution<double> normal;
     const VelocitySpectra spectra = two_velocities();
     double variance = 0.0, sum = 0.0;
-    for (std::size_t k = 0; k < kLines; ++k) variance += spectra.values[4 * k].real() * kStep;
+    for (std::size_t k = 0; k < kVelocityLines; ++k) variance += spectra.values[4 * k].real() * kVelocityStep_hz;
     const double damping = force * std::sqrt(2.0 / std::numbers::pi) / std::sqrt(variance);
     for (int draw = 0; draw < kDraws; ++draw) {
         std::vector<double> v(kSamples, 0.0), rest(kSamples);
         for (std::size_t k = 0; k < 60; ++k) {
-            const double amplitude = std::sqrt(spectra.values[4 * k].real() * kStep), a = amplitude * normal(random), b = amplitude * normal(random);
+            const double amplitude = std::sqrt(spectra.values[4 * k].real() * kVelocityStep_hz), a = amplitude * normal(random), b = amplitude * normal(random);
             for (std::size_t m = 0; m < kSamples; ++m) {
                 const double angle = 2.0 * std::numbers::pi * static_cast<double>((k + 1) * m % kSamples) / kSamples;
                 v[m] += a * std::cos(angle) + b * std::sin(angle);
             }
         }
         for (std::size_t m = 0; m < kSamples; ++m) rest[m] = (v[m] > 0.0 ? force : -force) - damping * v[m];
-        for (std::size_t k = 0; k < kLines; ++k) {
-            if (const double f = kStep * static_cast<double>(k + 1); f < from || f >= to) continue;
+        for (std::size_t k = 0; k < kVelocityLines; ++k) {
+            if (const double f = kVelocityStep_hz * static_cast<double>(k + 1); f < from || f >= to) continue;
             std::complex<double> own;
             for (std::size_t m = 0; m < kSamples; ++m) own += rest[m] * std::polar(1.0, -2.0 * std::numbers::pi * static_cast<double>((k + 1) * m % kSamples) / kSamples);
             sum += 2.0 * std::norm(own) / kSamples / kSamples / kDraws;
@@ -76,7 +76,7 @@ TEST(FrictionDistortion, HasTheWholeOfWhatADamperDoesNotCarry) {
     // edge) hold Σ 8/(π²n²) = 0.0253 of F², 7.0 % of the whole. The phase of a random velocity wanders, which spreads the harmonics
     // across the edge: that moves at most half of the two beside it (n = 15, 17), 0.9 % of the whole.
     EXPECT_NEAR(band_power(psd, 0, 0.0, 121.0) / (1.0 - 2.0 / std::numbers::pi), 0.93, 0.01);
-    for (std::size_t k = 0; k < kLines; ++k) {
+    for (std::size_t k = 0; k < kVelocityLines; ++k) {
         EXPECT_NEAR(std::abs(psd[4 * k + 1] - std::conj(psd[4 * k + 2])), 0.0, 1e-12);
         EXPECT_LE(std::abs(psd[4 * k + 1]), std::sqrt(std::abs(psd[4 * k].real() * psd[4 * k + 3].real())) + 1e-9) << "coherence";
     }

@@ -13,7 +13,7 @@
 namespace railpem::simulate {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Error after one period of m·ü + k·u = 0, u(0) = 1, with ω = 1.
 double period_error(int steps) {

@@ -15,7 +15,7 @@
 namespace railpem::simulate {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 ProfileRequest request_of(double from, double to) {
     ProfileRequest request;

@@ -5,6 +5,8 @@
 
 namespace railpem::tests {
 
+inline constexpr double kPaperSpeed = 80.0 / 3.6;  ///< m/s
+
 inline pem::CaseParameters paper_case(int number) {
     pem::CaseParameters c;
     c.vehicle.body_mass_kg = 38500;
@@ -29,7 +31,7 @@ inline pem::CaseParameters paper_case(int number) {
     c.irregularity.bands = {{.family = spectra::Family::fra, .shortest_wavelength_m = 1.0, .longest_wavelength_m = 100.0, .fra_class = 6},
                             {.family = spectra::Family::power_law, .shortest_wavelength_m = 0.1, .longest_wavelength_m = 1.0,
                              .coefficient_m3 = 0.036e-6, .exponent = 3.15}};
-    c.running.speeds_m_per_s = {80.0 / 3.6};
+    c.running.speeds_m_per_s = {kPaperSpeed};
     return c;
 }
 

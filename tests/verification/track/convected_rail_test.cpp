@@ -17,15 +17,15 @@
 namespace {
 
 using namespace railpem;
+using namespace std::complex_literals;
 using Complex = std::complex<double>;
-constexpr Complex kI{0.0, 1.0};
 
 constexpr double kEi = 2.06e11 * 3.22e-5, kMass = 60.64, kSpacing = 0.6;
 
 /// 1/2π ∫ e^{ikx}/(EIk⁴ − m(ω − kv)² + (K + i(ω − kv)c)/L) dk = i·Σ residues with Im k > 0 (x ≥ 0), −i·Σ with Im k < 0 (x < 0).
 Complex by_residues(double stiffness, double damping, double omega, double v, double x) {
-    const Complex c0 = -kMass * omega * omega + (stiffness + kI * omega * damping) / kSpacing;
-    const Complex c1 = 2.0 * kMass * omega * v - kI * v * damping / kSpacing;
+    const Complex c0 = -kMass * omega * omega + (stiffness + 1.0i * omega * damping) / kSpacing;
+    const Complex c1 = 2.0 * kMass * omega * v - 1.0i * v * damping / kSpacing;
     const Complex c2 = -kMass * v * v;
     Eigen::Matrix4cd companion = Eigen::Matrix4cd::Zero();
     companion(1, 0) = companion(2, 1) = companion(3, 2) = 1.0;
@@ -36,7 +36,7 @@ Complex by_residues(double stiffness, double damping, double omega, double v, do
     const double half = x >= 0.0 ? 1.0 : -1.0;
     Complex sum = 0.0;
     for (const Complex k : roots)
-        if (half * k.imag() > 0.0) sum += half * kI * std::exp(kI * k * x) / (4.0 * kEi * k * k * k + 2.0 * c2 * k + c1);
+        if (half * k.imag() > 0.0) sum += half * 1.0i * std::exp(1.0i * k * x) / (4.0 * kEi * k * k * k + 2.0 * c2 * k + c1);
     return sum;
 }
 
@@ -95,7 +95,7 @@ TEST(ConvectedRail, AheadAndBehindDiffer) {
 Complex density(const track::TrackParameters& track, double stiffness, double convected, double k) {
     const double w = std::max(std::abs(convected), 1e-9), f = w / (2.0 * std::numbers::pi);
     const track::RailParameters& rail = track.rail;
-    const Complex pad = stiffness * track::pad_shape(track.pads, f) + kI * w * track::pad_damping(track.pads);
+    const Complex pad = stiffness * track::pad_shape(track.pads, f) + 1.0i * w * track::pad_damping(track.pads);
     const Complex mass = rail.mass_kg_per_m + track::damper_mass_kg_per_m(track.rail_dampers, f);
     const Complex loss(1.0, rail.loss_factor), b = rail.youngs_modulus_pa * rail.second_moment_of_area_m4 * loss;
     Complex bent = b * k * k * k * k;

@@ -14,8 +14,8 @@
 namespace {
 
 using namespace railpem;
+using namespace std::complex_literals;
 using Complex = std::complex<double>;
-constexpr Complex kI{0.0, 1.0};
 
 track::TrackParameters paper_track() {
     track::TrackParameters track;
@@ -46,7 +46,7 @@ Complex green(const track::RailParameters& rail, double omega, double x) {
     if (rail.beam == track::Beam::euler) {
         // e^{+iωt} with loss: the travelling wave is exp(−iκ|x|), so the residue form is −(e^{−κx} + i·e^{−iκx})/(4Bκ³).
         const Complex kappa = std::pow(mu / b, 0.25);
-        return -(std::exp(-kappa * x) + kI * std::exp(-kI * kappa * x)) / (4.0 * b * kappa * kappa * kappa);
+        return -(std::exp(-kappa * x) + 1.0i * std::exp(-1.0i * kappa * x)) / (4.0 * b * kappa * kappa * kappa);
     }
     const Complex s = rail.shear_coefficient * rail.shear_modulus_pa * rail.cross_section_m2 * Complex(1.0, rail.loss_factor);
     const double rotary = omega * omega * rail.mass_kg_per_m * rail.second_moment_of_area_m4 / rail.cross_section_m2;
@@ -58,15 +58,15 @@ Complex green(const track::RailParameters& rail, double omega, double x) {
         Complex k = std::sqrt((-a1 + sign * root) / (2.0 * a2));
         if (k.imag() > 0.0) k = -k;  // decays for x > 0 as exp(−ikx) with Im k < 0
         const Complex derivative = 4.0 * a2 * k * k * k + 2.0 * a1 * k;
-        sum += (b * k * k + s - rotary) / derivative * std::exp(-kI * k * x);
+        sum += (b * k * k + s - rotary) / derivative * std::exp(-1.0i * k * x);
     }
-    return -kI * sum;
+    return -1.0i * sum;
 }
 
 Complex support_stiffness(const track::TrackParameters& track, double k0, double omega) {
     const double f = omega / (2.0 * std::numbers::pi);
     const track::PadParameters& pads = track.pads;
-    const Complex pad = k0 * std::pow(f / pads.reference_frequency_hz, pads.exponent) * Complex(1.0, pads.loss_factor) + kI * omega * pads.damping_n_s_per_m;
+    const Complex pad = k0 * std::pow(f / pads.reference_frequency_hz, pads.exponent) * Complex(1.0, pads.loss_factor) + 1.0i * omega * pads.damping_n_s_per_m;
     if (track.support.model == track::SupportModel::rigid) return pad;
     const Complex below = track.support.stiffness_n_per_m * Complex(1.0, track.support.loss_factor) - omega * omega * track.support.mass_kg;
     return 1.0 / (1.0 / pad + 1.0 / below);
