@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "app/json_values.hpp"
 #include "app/program_version.hpp"

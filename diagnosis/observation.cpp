@@ -14,6 +14,8 @@ namespace railpem::diagnosis {
 namespace {
 
 constexpr std::size_t kFewestBins = 20;
+constexpr double kTransferStep = 0.125;  ///< Hz: what an axle box leaves unsaid by the others, 1e-5 of its power, is met within 2 %
+constexpr int kRailEvery = 16;           ///< the rail every 2 Hz
 constexpr int kOversampling = 3;  ///< the kernel repeats after 12 s: beyond its own 4 s and every wheel delay
 
 MeasuredSpectra kept(const recordings::CrossSpectra& spectra, const std::vector<ObservedChannel>& channels,
@@ -73,6 +75,8 @@ void set_band(Observation& observation, const recordings::WindowKernel& kernel, 
     observation.expectation.high_hz = std::min({options.high_hz, kBandEdge * v / shortest, 0.4 * kernel.sampling_rate_hz});
     observation.expectation.oversampling = kOversampling;
     observation.expectation.weights = expectation_weights(observation.kernel, kOversampling);
+    observation.expectation.transfer_step_hz = kTransferStep;
+    observation.expectation.rail_every = kRailEvery;
     observation.expectation.threads = 1;  // many evaluations run side by side
     if (band_bins(observation) < kFewestBins)
         throw parameters::ParameterError(

@@ -6,7 +6,6 @@
 #include <atomic>
 #include <cassert>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
 #include "pem/angular_frequency.hpp"
