@@ -1,6 +1,7 @@
 #include "diagnosis/diagnose.hpp"
 
 #include <Eigen/Cholesky>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
@@ -11,6 +12,7 @@
 #include "diagnosis/inferred_curve.hpp"
 #include "diagnosis/interval.hpp"
 #include "diagnosis/locate.hpp"
+#include "diagnosis/repeated_misfit.hpp"
 #include "diagnosis/scalar_likelihood.hpp"
 #include "diagnosis/separate.hpp"
 #include "diagnosis/shows.hpp"
@@ -63,11 +65,15 @@ class Diagnosing {
         return result;
     }
 
+    double missed_by(const Fit& fit) const { return repeated_misfit(fit.trial, fit.predictions, context_).certain(); }
+
     void study_places() {
         say("locating in the structure", 0.76);
         if (naming_.left_by_retuned.empty()) naming_.left_by_retuned = locate(naming_.retuned.fit, context_);
         const std::vector<LocatedEvidence>& ranked = naming_.left_by_retuned;
         study_.at_retuned = evidence(ranked);
+        study_.missed_by_retuned = missed_by(naming_.retuned.fit);
+        if (!naming_.sets.empty()) study_.missed_by_named = missed_by(naming_.sets.front().fit);
         if (!naming_.sets.empty() && naming_.sets.front().score() > naming_.retuned.score() + options_.thresholds.least_gain)
             study_.at_named = evidence(naming_.left_by_best.empty() ? locate(naming_.sets.front().fit, context_) : naming_.left_by_best);
         for (int i = 0; i < kAnonymousFits && i < static_cast<int>(ranked.size()); ++i) {
@@ -335,6 +341,9 @@ class Diagnosing {
         if (!result_.per_value) result_.rests_on.push_back("ratios between the channels, which do not care what the irregularity is");
         for (const RetunedNumber& number : result_.numbers)
             if (number.outside) result_.remains.push_back(number.key + " ends " + std::to_string(std::abs(number.tolerances_away)).substr(0, 4) + " tolerances away from what was believed");
+        const double missed = result_.omitted.empty() ? study_.missed_by_retuned : study_.missed_by_named;
+        if (missed > options_.thresholds.residual)
+            result_.remains.push_back(fmt::format("the unseen part repeats {:.0f} nats of what the fit misses, more than chance: something of the recordings has no name here", missed));
         if (!study_.at_named.empty() && study_.at_named.front().nats > options_.thresholds.residual)
             result_.remains.push_back("a free correction of the " + element_name(study_.at_named.front().element) + " would still bring " +
                                       std::to_string(static_cast<int>(study_.at_named.front().nats)) + " nats");

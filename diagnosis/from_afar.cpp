@@ -45,7 +45,7 @@ FittedSet blunt_from_afar(const BelievedCase& believed, const Candidate& candida
 FittedSet sharpened(const BelievedCase& believed, const FittedSet& blunt, const LikelihoodContext& context, const std::function<void()>& between) {
     FitOptions options{.iterations = 20, .stages = {0.1, 0.04, 0.015, 0.006, 0.0025}, .stage_iterations = 5};
     options.between = between;
-    return fit_set(believed, blunt.fit, blunt.effects, {}, {}, context, options);
+    return fit_set(believed, blunt.fit, blunt.effects, blunt.released, {}, context, options);
 }
 
 }  // namespace railpem::diagnosis

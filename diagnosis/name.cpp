@@ -20,6 +20,9 @@ constexpr double kLeastRelease = 3.0;  ///< nats to first order; what a wrong be
 /// Thrown between steps when somebody wants to end the search.
 struct Interrupted {};
 
+constexpr double kDistorted = 4.0;     ///< tolerances that a number may end away from what was believed
+constexpr double kBluntSearch = 0.1;   ///< relative floor
+constexpr int kBluntRetuning = 8;
 constexpr double kFar = 50.0;          ///< nats that a start may lie below the fit that it starts from and still be near
 constexpr int kFarIterations = 4;
 constexpr std::size_t kSharpened = 3;  ///< of the effects fitted from afar: those that the blunt likelihood prefers, until nothing is left
@@ -53,19 +56,51 @@ class Search {
         result_.not_tested = list.not_tested;
         result_.candidates = std::move(list.candidates);
         result_.first_promises = screen(result_.retuned.fit, result_.candidates, context_);
+        if (is_distorted(result_.retuned.fit)) {
+            blunt_search();
+            if (left_over() < bearable()) return;
+        }
         first_round();
-        further_rounds();
+        further_rounds(2);
         if (left_over() < bearable()) return;
         const double before = best_score();
         rescue_round();
         if (best_score() < before + options_.least_gain) return;
-        further_rounds();
+        further_rounds(2);
         left_over();
     }
 
-    void further_rounds() {
-        for (int members = 2; members <= options_.most_effects; ++members)
+    void further_rounds(int from) {
+        for (int members = from; members <= options_.most_effects; ++members)
             if (!further_round(members)) break;
+    }
+
+    /// Retuning has bent the believed numbers so far that a derivative at the retuned case says nothing of the believed one.
+    static bool is_distorted(const Fit& retuned) {
+        for (std::size_t u = 0; u < retuned.unknowns.size(); ++u)
+            if (retuned.unknowns[u].kind == UnknownKind::number && std::abs(retuned.values[u]) > kDistorted * retuned.unknowns[u].deviation) return true;
+        return false;
+    }
+
+    /// The search for one or two effects of vehicle and track with a blunt likelihood, in which the retuned case stays near what was believed. The best
+    /// set is then sharpened, and the search goes on from there.
+    void blunt_search() {
+        LikelihoodContext blunt = context_;
+        blunt.least_floor = kBluntSearch;
+        NamingResult found;
+        NamingOptions pairs = options_;
+        pairs.most_effects = std::min(2, options_.most_effects);
+        Search search(believed_, blunt, pairs, found);
+        search.retune();
+        for (const Candidate& candidate : result_.candidates)
+            if (element_of(*find_effect(candidate.instance.effect), candidate.instance) != Element::sensor) found.candidates.push_back(candidate);
+        found.first_promises = screen(found.retuned.fit, found.candidates, blunt);
+        search.first_round();
+        search.further_rounds(2);
+        search.sort_sets();
+        if (found.sets.empty() || found.sets.front().score() < found.retuned.score() + options_.least_gain) return;
+        result_.sets.push_back(sharpened(believed_, found.sets.front(), context_, [this] { say("sharpening", 0.5); }));
+        further_rounds(static_cast<int>(result_.sets.back().members()) + 1);
     }
 
     double best_score() const {
@@ -127,6 +162,8 @@ class Search {
         }
     }
 
+    bool is_blunt() const { return context_.least_floor > 0.0; }
+
     void say(const std::string& what, double share) {
         if (options_.progress) options_.progress(what, share);
         if (options_.interrupted && options_.interrupted()) throw Interrupted{};
@@ -138,6 +175,8 @@ class Search {
         const std::vector<double> start = means(unknowns);
         FitOptions fit_options;
         fit_options.between = [this] { say("retuning", 0.05); };
+        fit_options.from_far = !is_blunt();
+        if (is_blunt()) fit_options.iterations = kBluntRetuning;
         result_.retuned.fit = fit(trial, std::move(unknowns), start, context_, fit_options);
         result_.retuned.held_out = part_log_likelihood(result_.retuned.fit, context_, Part::held_out);
     }
@@ -149,7 +188,7 @@ class Search {
         say(text, share);
         FitOptions fit_options;
         fit_options.between = [this, text, share] { say(text, share); };
-        fit_options.from_far = far;
+        fit_options.from_far = far && !is_blunt();
         if (far) fit_options.stage_iterations = kFarIterations;
         fit_options.rival = result_.retuned.fit.log_posterior;
         for (const FittedSet& set : result_.sets) fit_options.rival = std::max(fit_options.rival, set.fit.log_posterior);
@@ -271,7 +310,8 @@ class Search {
     /// Adds a member to the best smaller set, then swaps the others. False when nothing was gained.
     bool further_round(int members) {
         const FittedSet* base = best(static_cast<std::size_t>(members - 1));
-        const double smaller = members == 2 ? result_.retuned.score() : best(static_cast<std::size_t>(members - 2))->score();
+        const FittedSet* before = best(static_cast<std::size_t>(members - 2));
+        const double smaller = before ? before->score() : result_.retuned.score();
         if (!base || base->score() < smaller + options_.least_gain) return false;
         const FittedSet from = *base;
         const double share = 0.65 + 0.1 * (members - 2);

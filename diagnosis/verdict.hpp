@@ -10,6 +10,8 @@ struct PlaceStudy {
     std::vector<PlaceEvidence> at_retuned;  ///< ranked; what each would explain of what retuning leaves
     std::vector<PlaceEvidence> at_named;    ///< the same beside the named set: what is still missing
     std::vector<FittedSet> anonymous;       ///< fully fitted free corrections of the best places
+    double missed_by_retuned = 0.0;         ///< nats of misfit that the unseen part repeats for certain (repeated_misfit.hpp)
+    double missed_by_named = 0.0;           ///< the same beside the best set
 };
 
 /// What the verdict is made of.

@@ -37,7 +37,7 @@ CoupledModel coupled_model(const CaseParameters& parameters, double speed_m_per_
     model.car = vehicle::half_vehicle(parameters.vehicle);
     model.wheels_m = vehicle::wheel_positions(parameters.vehicle);
     const track::StaticEquilibrium equilibrium = case_equilibrium(parameters);
-    model.rail = rail_model(parameters, model.wheels_m, equilibrium);
+    model.rail = rail_model(parameters, model.wheels_m, equilibrium, speed_m_per_s);
     if (parameters.track.pads.preload_strength > 0.0) model.warnings = equilibrium.warnings;
     const double constant = contact_constant(parameters.contact, parameters.vehicle.wheel_radius_m);
     model.contact_compliance.fill(1.0 / contact_stiffness(constant, wheel_load_n(parameters)));

@@ -7,6 +7,7 @@
 #include "track/equilibria_abreast.hpp"
 #include "track/exact_rail.hpp"
 #include "track/modal_rail.hpp"
+#include "track/moving_equilibrium.hpp"
 #include "track/scattered_rail.hpp"
 #include "track/seat_stiffness.hpp"
 
@@ -105,10 +106,15 @@ class ExactModel : public RailModel {
     double smeared_pad_;
 };
 
+std::vector<double> case_pads(const CaseParameters& parameters, const std::vector<double>& wheels) {
+    return track::pad_positions(parameters.track, wheels, parameters.solver.rail == RailSolution::modal ? parameters.solver.pads : 0);
+}
+
 /// Rails for wheels that roll over the track: at rest one, as the case has it. In motion the mean over positions that take
 /// the first two harmonics of a bay out of the receptance (three per bay, and every bay of a period of failed fasteners);
-/// random failures enter by their mean.
-std::vector<track::ExactRail> positions(const CaseParameters& parameters, const std::vector<double>& wheels_m, const track::StaticEquilibrium& equilibrium) {
+/// random failures enter by their mean. Pads that preload stiffens are those under rolling wheels (track/moving_equilibrium.hpp).
+std::vector<track::ExactRail> positions(const CaseParameters& parameters, const std::vector<double>& wheels_m, const track::StaticEquilibrium& equilibrium,
+                                        double speed_m_per_s) {
     if (!parameters.solver.moving) return {track::exact_rail(parameters.track, wheels_m, equilibrium)};
     constexpr int kPerBay = 3;
     CaseParameters moved = parameters;
@@ -121,13 +127,17 @@ std::vector<track::ExactRail> positions(const CaseParameters& parameters, const 
         failed.fraction = 0.0;
     }
     const int first_seat = moved.track.failed_fasteners.empty() ? 0 : moved.track.failed_fasteners.front().first_seat;
+    const bool load_matters = moved.track.pads.preload_strength > 0.0;
+    track::PassingChange change;
+    if (load_matters) change = track::passing_change(moved.track, wheels_m, wheel_load_n(parameters), speed_m_per_s);
     std::vector<track::ExactRail> rails;
     track::StaticEquilibrium previous;
     for (int k = 0; k < kPerBay * period; ++k) {
         const double bays = static_cast<double>(k) / kPerBay;
         moved.track.wheel_offset_m = (bays - std::floor(bays)) * parameters.track.spacing_m;
         for (track::FailedFasteners& failed : moved.track.failed_fasteners) failed.first_seat = first_seat - static_cast<int>(bays);
-        previous = dynamic_equilibrium(moved, &previous);
+        previous = load_matters ? track::moving_equilibrium(moved.track, wheels_m, wheel_load_n(parameters), case_pads(moved, wheels_m), change, &previous)
+                                : dynamic_equilibrium(moved);
         rails.push_back(track::exact_rail(moved.track, wheels_m, previous));
     }
     return rails;
@@ -186,14 +196,6 @@ class ModalModel : public RailModel {
 
 }  // namespace
 
-namespace {
-
-std::vector<double> case_pads(const CaseParameters& parameters, const std::vector<double>& wheels) {
-    return track::pad_positions(parameters.track, wheels, parameters.solver.rail == RailSolution::modal ? parameters.solver.pads : 0);
-}
-
-}  // namespace
-
 track::StaticEquilibrium case_equilibrium(const CaseParameters& parameters) {
     const std::vector<double> wheels = vehicle::wheel_positions(parameters.vehicle);
     return track::static_equilibrium(parameters.track, wheels, wheel_load_n(parameters), case_pads(parameters, wheels));
@@ -215,10 +217,10 @@ std::vector<track::StaticEquilibrium> dynamic_equilibria(const CaseParameters& p
 }
 
 std::unique_ptr<RailModel> rail_model(const CaseParameters& parameters, const std::vector<double>& wheels_m,
-                                      const track::StaticEquilibrium& equilibrium) {
+                                      const track::StaticEquilibrium& equilibrium, double speed_m_per_s) {
     if (parameters.solver.rail == RailSolution::modal)
         return std::make_unique<ModalModel>(parameters.track, wheels_m, parameters.solver.modes, equilibrium);
-    return std::make_unique<ExactModel>(positions(parameters, wheels_m, equilibrium));
+    return std::make_unique<ExactModel>(positions(parameters, wheels_m, equilibrium, speed_m_per_s));
 }
 
 }  // namespace railpem::pem

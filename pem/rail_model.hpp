@@ -26,9 +26,10 @@ class RailModel {
                                   track::ConvectedChange* change) const = 0;
 };
 
-/// The rail that the case asks for (solver.rail), on the pads of the static equilibrium.
+/// The rail that the case asks for (solver.rail), on the pads of the static equilibrium; with solver.moving the exact one stands on the pads as
+/// wheels at this speed press them.
 std::unique_ptr<RailModel> rail_model(const CaseParameters& parameters, const std::vector<double>& wheels_m,
-                                      const track::StaticEquilibrium& equilibrium);
+                                      const track::StaticEquilibrium& equilibrium, double speed_m_per_s = 0.0);
 
 /// Static equilibrium of the case: the same pads, the same rail, the same wheel positions as in its dynamics.
 track::StaticEquilibrium case_equilibrium(const CaseParameters& parameters);

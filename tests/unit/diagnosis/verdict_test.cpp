@@ -108,6 +108,16 @@ TEST(Decide, WithholdsTheNameWhereMoreIsLeftThanChance) {
     EXPECT_EQ(decide(large, places, thresholds).verdict, Verdict::explained) << "a thousandth of what it explains";
 }
 
+TEST(Decide, WithholdsTheNameWhereTheUnseenRepeatsMisfit) {
+    const NamingResult naming = naming_of({set_of({"rail-shear"}, {}, 1000.0, 100.0)}), linearised = naming_of({set_of({"suspension-friction"}, {}, 1000.0, 100.0)});
+    EXPECT_EQ(decide(naming, {.missed_by_named = 11.0}, thresholds).verdict, Verdict::explained);
+    EXPECT_EQ(decide(naming, {.missed_by_named = 13.0}, thresholds).verdict, Verdict::unexplained);
+    EXPECT_EQ(decide(linearised, {.missed_by_named = 240.0}, thresholds).verdict, Verdict::explained);
+    EXPECT_EQ(decide(linearised, {.missed_by_named = 260.0}, thresholds).verdict, Verdict::unexplained);
+    EXPECT_EQ(decide(naming_of({}), {.missed_by_retuned = 13.0}, thresholds).verdict, Verdict::unexplained);
+    EXPECT_EQ(decide(naming_of({}), {.missed_by_retuned = 11.0}, thresholds).verdict, Verdict::consistent);
+}
+
 TEST(Places, ShareASetByWhatItsMembersBring) {
     const NamingResult naming = naming_of({set_of({"sensor-gain", "rail-shear"}, {}, 1000.0, 10.0), set_of({"rail-shear"}, {}, 900.0, 10.0), set_of({"sensor-gain"}, {}, 20.0, 10.0)});
     Decision decision;

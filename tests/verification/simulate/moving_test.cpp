@@ -47,6 +47,33 @@ TEST(Moving, ShearingRail) {
     expect_floor(c, moving_options(c), 0.02, 0.1);
 }
 
+/// Pads on their curve, which creep and are pressed by wheels that come and go.
+simulate::Options loaded_pads(const pem::CaseParameters& parameters) {
+    simulate::Options options = moving_options(parameters);
+    options.linear_pads = false;
+    return options;
+}
+
+TEST(Moving, PreloadedPads) {
+    auto c = paper_case(3);
+    c.track.statics.second_moment_of_area_m4 = 0.0;
+    c.track.pads.exponent = 0.0;
+    expect_floor(c, loaded_pads(c), 0.02, 0.1);
+}
+
+TEST(Moving, PreloadedPadsThatCreep) {
+    auto c = paper_case(3);
+    c.track.statics.second_moment_of_area_m4 = 0.0;
+    c.track.pads.causal = true;
+    expect_floor(c, loaded_pads(c), 0.02, 0.1);
+}
+
+TEST(Moving, PreloadedPadsThatCreepWithTheStaticsOfThePaper) {
+    auto c = paper_case(3);
+    c.track.pads.causal = true;
+    expect_floor(c, loaded_pads(c), 0.02, 0.1);
+}
+
 /// rms of the line at a frequency, over a whole number of its periods.
 double line_rms(const std::vector<double>& samples, double rate_hz, double frequency_hz) {
     const double periods = std::floor(static_cast<double>(samples.size()) / rate_hz * frequency_hz);
