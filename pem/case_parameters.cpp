@@ -38,7 +38,7 @@ Fields<SolverParameters> solver_fields() {
         choice(&S::rail, "rail", {"exact", "modal"}, "exact: infinite track, nothing truncated; modal: simply supported rail of finite length"),
         integer(&S::modes, "modes", between(1, 5000), "modal only: bending modes of the rail"),
         integer(&S::pads, "pads", between(1, 2001), "modal only: number of pads on the finite rail, spread evenly about the centre of the car"),
-        boolean(&S::moving, "moving", "add what the wheels' motion along the rail changes in its receptance (off in the paper)"),
+        boolean(&S::moving, "moving", "add what the wheels' motion along the rail changes in its receptance and in the pads' load (off in the paper)"),
     };
 }
 
