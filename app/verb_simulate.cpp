@@ -105,7 +105,7 @@ void add_simulate(CLI::App& program, Run& run) {
         "a recording marched in time, with or without hidden effects: DIR/recording.toml and DIR/recording.csv");
     verb->footer("Examples:\n"
                  "  railpem simulate --list\n"
-                 "  railpem simulate case.toml --seconds 60 --seed 1 --out run1 --truth run1.json --hide pad-frequency-exponent:exponent=0.15");
+                 "  railpem simulate case.toml --seconds 60 --seed 1 --out run1 --truth run1.json --hide pad-frequency-stiffening:exponent=0.15");
     verb->add_option("CASE", request->simulation.path, "case file");
     verb->add_option("--hide", request->simulation.hide, "conceal an effect in it: EFFECT[:parameter=value,…]; may be repeated")
         ->type_name("EFFECT")

@@ -19,6 +19,8 @@ constexpr int kSettleIterations = 3;      ///< of noise and floor alone, after e
 constexpr double kWorthSettling = 2.0;    ///< nats promised by a step, after which noise and floor are settled
 constexpr double kHope = 3.0;             ///< times its promise, a fit may still climb
 constexpr double kPace = 12.0;            ///< or times what its last step brought: a ridge is climbed in many equal steps
+constexpr double kSurprise = 1.5;         ///< times what a step promised
+constexpr double kStageGain = 3.0;        ///< nats that a step of a blunt stage has to promise: its top is not the one that counts
 constexpr double kHopeless = 30.0;        ///< nats that a fit must stay behind, hope included, to be given up
 
 struct State {
@@ -126,7 +128,7 @@ enum class End { top, tired, hopeless };
 /// Climbs at one floor.
 End climb(const Trial& base, const std::vector<Unknown>& unknowns, const LikelihoodContext& context, const FitOptions& options,
           int most, double& damping, State& state, int& iterations, Normal* last = nullptr) {
-    double gained = std::numeric_limits<double>::infinity();  // by the last step
+    double gained = std::numeric_limits<double>::infinity(), promised = 0.0;  // by the last step
     for (int i = 0; i < most; ++i) {
         if (options.between) options.between();
         const Normal normal = normal_equations(state, unknowns, differentiate(state.trial, unknowns, state.values, state.predictions, context), context);
@@ -135,7 +137,8 @@ End climb(const Trial& base, const std::vector<Unknown>& unknowns, const Likelih
         while (damping < kMostDamping && !better) {
             const Eigen::VectorXd step = damped_step(normal, state, unknowns, damping);
             const double promise = 0.5 * step.dot(normal.gradient);
-            const bool hopeless = state.log_posterior + std::max(kHope * promise, kPace * gained) + kHopeless < options.rival;
+            // Only where the last step brought no more than it promised: a climb that surprises has not said yet how high it goes.
+            const bool hopeless = gained < kSurprise * promised && state.log_posterior + std::max(kHope * promise, kPace * gained) + kHopeless < options.rival;
             if (promise < options.least_gain || hopeless) {
                 if (last) *last = normal;
                 return hopeless ? End::hopeless : End::top;
@@ -145,6 +148,7 @@ End climb(const Trial& base, const std::vector<Unknown>& unknowns, const Likelih
             damping = better ? std::max(damping / 10.0, 1e-9) : damping * 10.0;
             if (!better) continue;
             gained = next.log_posterior - state.log_posterior;
+            promised = promise;
             state = std::move(next);
             if (promise > kWorthSettling) settle(unknowns, context, state);
         }
@@ -185,6 +189,7 @@ Fit fit(const Trial& base, std::vector<Unknown> unknowns, std::vector<double> st
     LikelihoodContext stage = context;
     FitOptions blunt = options;
     blunt.rival = FitOptions{}.rival;  // was sharp
+    blunt.least_gain = std::max(options.least_gain, kStageGain);
     double damping = kFirstDamping;
     std::vector<double> values = std::move(start);
     if (options.from_far)  // blunted by 10 % there is one broad maximum; each stage brings the next within reach

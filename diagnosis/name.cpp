@@ -117,13 +117,16 @@ class Search {
 
     /// Nats that a free correction would still bring beside the best set.
     double left_over() {
-        say("what is left", 0.7);
         sort_sets();
         const bool named = !result_.sets.empty() && result_.sets.front().score() > result_.retuned.score();
+        const double score = named ? result_.sets.front().score() : result_.retuned.score();
+        if (score == left_beside_) return most_left_;
+        say("what is left", 0.7);
         std::vector<LocatedEvidence> left = locate(named ? result_.sets.front().fit : result_.retuned.fit, context_);
         const double most = left.empty() ? 0.0 : left.front().nats;
         (named ? result_.left_by_best : result_.left_by_retuned) = std::move(left);
-        return most;
+        left_beside_ = score;
+        return most_left_ = most;
     }
 
     /// Is a place of the structure evident? Sensors do not count: free at every frequency, one imitates what its channel shows most.
@@ -326,7 +329,9 @@ class Search {
         };
         std::erase_if(chosen, is_member);
         if (static_cast<int>(chosen.size()) > options_.later_refits) chosen.erase(chosen.begin() + options_.later_refits, chosen.end());
-        if (!linearised) add_unpromised(promises, chosen);
+        // What replaces a law sits where free corrections see it: where they find nothing, its promise is the shadow of the step that replaces.
+        if (is_blunt() || left_over() < bearable()) std::erase_if(chosen, [&](const Starts& starts) { return find_effect(result_.candidates[starts.front().candidate].instance.effect)->replaces; });
+        else if (!linearised) add_unpromised(promises, chosen);
         std::erase_if(chosen, is_member);
         Candidate winner;
         double highest = -1e300;
@@ -367,6 +372,7 @@ class Search {
     const LikelihoodContext& context_;
     const NamingOptions& options_;
     NamingResult& result_;
+    double left_beside_ = -std::numeric_limits<double>::infinity(), most_left_ = 0.0;  ///< score of the set that left_over() looked at last, and its answer
 };
 
 }  // namespace

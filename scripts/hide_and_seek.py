@@ -1,0 +1,138 @@
+#!/usr/bin/env python3
+"""Every effect of the catalogue (and nothing) hidden in marched recordings and sought by `railpem diagnose`, one line of a table each.
+
+    scripts/hide_and_seek.py build/release/railpem docs/proof/marched_three_speeds.csv --trials 2
+
+The believed case is case 1 of Wei et al. 2016 with every uncertain number off within its tolerance, by a seed; three runs of 60 s, nine channels,
+noise 0.02 m/s^2. A line that is there already is not made again, so that the table grows over several starts; several at once want files of
+their own. Strengths are the catalogue's typical ones, or those of STRENGTHS where the catalogue has choices.
+"""
+import argparse
+import csv
+import json
+import os
+import random
+import subprocess
+import sys
+import tempfile
+import time
+
+ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+CASE = os.path.join(ROOT, "cases", "wei2016", "case1.toml")
+# Value and relative tolerance (docs/case.md) of everything uncertain.
+UNCERTAIN = {
+    "vehicle.body_mass_kg": (38500, 0.05), "vehicle.body_pitch_inertia_kg_m2": (2.5e6, 0.05), "vehicle.bogie_mass_kg": (2980, 0.05),
+    "vehicle.bogie_pitch_inertia_kg_m2": (3600, 0.05), "vehicle.wheelset_mass_kg": (1350, 0.05),
+    "vehicle.primary.stiffness_n_per_m": (2.1e6, 0.1), "vehicle.primary.damping_n_s_per_m": (4.9e4, 0.15),
+    "vehicle.secondary.stiffness_n_per_m": (2.5e6, 0.1), "vehicle.secondary.damping_n_s_per_m": (2e5, 0.15),
+    "track.rail.second_moment_of_area_m4": (3.22e-5, 0.02), "track.rail.mass_kg_per_m": (60.64, 0.02),
+    "track.pads.static_stiffness_n_per_m": (26.7e6, 0.3), "track.pads.damping_n_s_per_m": (7.5e4, 0.3), "contact.constant_m_per_n23": (4.265e-8, 0.15)}
+STRENGTHS = {
+    "nothing": [], "pad-frequency-stiffening": ["exponent=0.15"], "pad-preload-stiffening": [], "pad-hysteresis": [], "rail-shear": [],
+    "support-compliance": [], "rail-damper": ["mass_kg_per_m=15,frequency_hz=120"], "failed-fasteners": ["every=8"], "sleeper-passing": ["amplitude_factor=2"],
+    "wheel-out-of-roundness": ["wheel=2,order=3,amplitude_m=5e-5"], "rail-corrugation": [], "rail-joints": ["spacing_m=12"],
+    "irregularity-spectrum": ["level_db=5"], "body-bending": ["frequency_hz=9"], "wheelset-bending": [], "bogie-mounted-mass": [],
+    "primary-damper-series-stiffness": [], "secondary-damper-series-stiffness": [], "suspension-friction": ["stage=primary,force_n=1000"],
+    "contact-nonlinearity": [], "contact-filter": [], "sensor-gain": ["channel=bogie_1,gain=1.05"], "sensor-resonance": ["channel=axlebox_2"],
+    "sensor-noise": ["channel=bogie_2"], "timing-skew": ["channel=axlebox_3,delay_s=0.001"],
+    "parameter-error": ["parameter=vehicle.primary.stiffness_n_per_m,factor=1.6"]}
+COLUMNS = ["hidden", "seed", "speeds_m_per_s", "truth", "verdict", "named", "rivals", "first_place", "set_right", "place_right", "intervals_right", "intervals",
+           "numbers_right", "numbers", "held_out_gain_nats_per_s", "retuned_rms_db", "wall_s"]
+
+
+def arguments():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("railpem")
+    parser.add_argument("table")
+    parser.add_argument("--trials", type=int, default=2)
+    parser.add_argument("--first-seed", type=int, default=7001)
+    parser.add_argument("--effects", nargs="*", default=list(STRENGTHS))
+    parser.add_argument("--speeds", nargs="*", default=["15", "22.2222", "33"])
+    parser.add_argument("--threads", default="1")
+    return parser.parse_args()
+
+
+def march(options, effect, seed, folder):
+    """Records of one trial; (folders, truth of the effects, truth of the numbers)."""
+    draw = random.Random(f"{effect} {seed}")
+    numbers = {key: value * (1 + tolerance * draw.uniform(-1, 1)) for key, (value, tolerance) in UNCERTAIN.items()}
+    hide = [] if effect == "nothing" else ["--hide", effect + (":" + STRENGTHS[effect][0] if STRENGTHS[effect] else "")]
+    runs, truth = [], []
+    for i, speed in enumerate(options.speeds):
+        runs.append(os.path.join(folder, "run_" + speed))
+        command = [options.railpem, "simulate", CASE, "--seconds", "60", "--seed", str(100 * seed + i), "--speed", speed, "--noise", "0.02",
+                   "--out", runs[-1], "--truth", runs[-1] + ".json"] + hide
+        for key, value in numbers.items():
+            command += ["--set", f"{key}={value:.9g}"]
+        subprocess.run(command, check=True, capture_output=True)
+        with open(runs[-1] + ".json") as file:
+            truth = json.load(file)["effects"]
+    return runs, truth, numbers
+
+
+def judged(options, effect, seed):
+    with tempfile.TemporaryDirectory() as folder:
+        runs, truth, numbers = march(options, effect, seed, folder)
+        begin = time.time()
+        subprocess.run([options.railpem, "diagnose", CASE, *runs, "--threads", options.threads, "--out", os.path.join(folder, "out")], check=True, capture_output=True)
+        wall = time.time() - begin
+        with open(os.path.join(folder, "out", "diagnosis.json")) as file:
+            found = json.load(file)
+    return line_of(effect, seed, options, truth, numbers, found, wall)
+
+
+def line_of(effect, seed, options, truth, numbers, found, wall):
+    named = sorted(own["effect"] for own in found["omitted"])
+    hidden = sorted(own["effect"] for own in truth)
+    rivals = [sorted(rival["effects"]) for rival in found["rivals"]]
+    right = {"nothing": found["verdict"] == "consistent"}.get(
+        effect, found["verdict"] in ("explained", "recording-fault") and named == hidden or found["verdict"] == "ambiguous" and hidden in rivals)
+    inside, total = 0, 0
+    for own in truth:
+        for other in found["omitted"]:
+            if other["effect"] != own["effect"]:
+                continue
+            for name, value in own["parameters"].items():
+                interval = other["parameters"].get(name, {})
+                if isinstance(value, (int, float)) and "low" in interval:
+                    total += 1
+                    inside += interval["low"] <= value <= interval["high"]
+    covered = [n for n in found["numbers"] if n["key"] in numbers]
+    first = found["places"][0]["element"] if found["places"] else ""
+    fit = found["fit"]
+    return {
+        "hidden": effect, "seed": seed, "speeds_m_per_s": " ".join(options.speeds),
+        "truth": "; ".join(own["effect"] + " " + " ".join(f"{k}={v}" for k, v in own["parameters"].items()) for own in truth),
+        "verdict": found["verdict"], "named": " + ".join(named), "rivals": " | ".join(" + ".join(r) for r in rivals if found["verdict"] == "ambiguous"),
+        "first_place": first, "set_right": int(right), "place_right": "" if not truth else int(any(own["place"].startswith(first) for own in truth)),
+        "intervals_right": inside, "intervals": total, "numbers_right": sum(n["low"] <= numbers[n["key"]] <= n["high"] for n in covered), "numbers": len(covered),
+        "held_out_gain_nats_per_s": f'{fit["held_out_after"]["log_likelihood_per_second"] - fit["held_out_retuned"]["log_likelihood_per_second"]:.3g}',
+        "retuned_rms_db": f'{fit["retuned"]["rms_db"]:.3g}', "wall_s": f"{wall:.0f}"}
+
+
+def main():
+    options = arguments()
+    done = set()
+    if os.path.exists(options.table):
+        with open(options.table) as file:
+            done = {(row["hidden"], row["seed"], row["speeds_m_per_s"]) for row in csv.DictReader(file)}
+    for seed in range(options.first_seed, options.first_seed + options.trials):
+        for effect in options.effects:
+            if (effect, str(seed), " ".join(options.speeds)) in done:
+                continue
+            try:
+                line = judged(options, effect, seed)
+            except subprocess.CalledProcessError as error:
+                print(f"{effect} {seed}: {error.stderr.decode(errors='replace').strip()[:300]}", file=sys.stderr)
+                continue
+            fresh = not os.path.exists(options.table)
+            with open(options.table, "a", newline="") as file:
+                writer = csv.DictWriter(file, COLUMNS)
+                if fresh:
+                    writer.writeheader()
+                writer.writerow(line)
+            print(line["hidden"], line["seed"], line["verdict"], line["named"], "right" if line["set_right"] else "WRONG", line["wall_s"], "s", flush=True)
+
+
+if __name__ == "__main__":
+    main()
