@@ -25,6 +25,7 @@ constexpr double kBluntSearch = 0.1;   ///< relative floor
 constexpr int kBluntRetuning = 8;
 constexpr double kFar = 50.0;          ///< nats that a start may lie below the fit that it starts from and still be near
 constexpr int kFarIterations = 4;
+constexpr int kContinuations = 3;
 constexpr std::size_t kSharpened = 3;  ///< of the effects fitted from afar: those that the blunt likelihood prefers, until nothing is left
 
 /// Whether an effect comes in many numbered variants (orders of a wheel, every n-th seat): those are told by their lines, which the first
@@ -56,13 +57,13 @@ class Search {
         result_.not_tested = list.not_tested;
         result_.candidates = std::move(list.candidates);
         result_.first_promises = screen(result_.retuned.fit, result_.candidates, context_);
+        first_round();
+        further_rounds(2);
+        if (left_over() < bearable()) return;
         if (is_distorted(result_.retuned.fit)) {
             blunt_search();
             if (left_over() < bearable()) return;
         }
-        first_round();
-        further_rounds(2);
-        if (left_over() < bearable()) return;
         const double before = best_score();
         rescue_round();
         if (best_score() < before + options_.least_gain) return;
@@ -310,8 +311,24 @@ class Search {
         return found;
     }
 
+    /// A fit that ran out of steps goes on: what it has left to gain would be put down to the next member.
+    void finish_best(std::size_t members) {
+        for (int i = 0; i < kContinuations; ++i) {
+            const FittedSet* found = best(members);
+            if (!found || found->fit.converged || found->score() < result_.retuned.score()) return;
+            FittedSet& own = result_.sets[static_cast<std::size_t>(found - result_.sets.data())];
+            const double before = own.score();
+            FitOptions near{.from_far = false};
+            near.between = [this] { say("going on", 0.6); };
+            FittedSet further = fit_set(believed_, own.fit, own.effects, own.released, {}, context_, near);
+            if (further.score() > before) own = std::move(further);
+            if (own.score() < before + options_.least_gain) return;
+        }
+    }
+
     /// Adds a member to the best smaller set, then swaps the others. False when nothing was gained.
     bool further_round(int members) {
+        finish_best(static_cast<std::size_t>(members - 1));
         const FittedSet* base = best(static_cast<std::size_t>(members - 1));
         const FittedSet* before = best(static_cast<std::size_t>(members - 2));
         const double smaller = before ? before->score() : result_.retuned.score();

@@ -36,7 +36,7 @@ STRENGTHS = {
     "contact-nonlinearity": [], "contact-filter": [], "sensor-gain": ["channel=bogie_1,gain=1.05"], "sensor-resonance": ["channel=axlebox_2"],
     "sensor-noise": ["channel=bogie_2"], "timing-skew": ["channel=axlebox_3,delay_s=0.001"],
     "parameter-error": ["parameter=vehicle.primary.stiffness_n_per_m,factor=1.6"]}
-COLUMNS = ["hidden", "seed", "speeds_m_per_s", "truth", "verdict", "named", "rivals", "first_place", "set_right", "place_right", "intervals_right", "intervals",
+COLUMNS = ["hidden", "seed", "speeds_m_per_s", "truth", "verdict", "named", "found", "rivals", "first_place", "set_right", "place_right", "intervals_right", "intervals",
            "numbers_right", "numbers", "held_out_gain_nats_per_s", "retuned_rms_db", "wall_s"]
 
 
@@ -81,6 +81,10 @@ def judged(options, effect, seed):
     return line_of(effect, seed, options, truth, numbers, found, wall)
 
 
+def in_words(value):
+    return f"{value['value']:.4g}[{value['low']:.4g},{value['high']:.4g}]" if "low" in value else str(value["value"] if isinstance(value, dict) else value)
+
+
 def line_of(effect, seed, options, truth, numbers, found, wall):
     named = sorted(own["effect"] for own in found["omitted"])
     hidden = sorted(own["effect"] for own in truth)
@@ -103,7 +107,9 @@ def line_of(effect, seed, options, truth, numbers, found, wall):
     return {
         "hidden": effect, "seed": seed, "speeds_m_per_s": " ".join(options.speeds),
         "truth": "; ".join(own["effect"] + " " + " ".join(f"{k}={v}" for k, v in own["parameters"].items()) for own in truth),
-        "verdict": found["verdict"], "named": " + ".join(named), "rivals": " | ".join(" + ".join(r) for r in rivals if found["verdict"] == "ambiguous"),
+        "verdict": found["verdict"], "named": " + ".join(named),
+        "found": "; ".join(own["effect"] + " " + " ".join(f"{k}={in_words(v)}" for k, v in own["parameters"].items()) + f" ({own['nats_fitted']:.0f} nats)" for own in found["omitted"]),
+        "rivals": " | ".join(" + ".join(r) for r in rivals if found["verdict"] == "ambiguous"),
         "first_place": first, "set_right": int(right), "place_right": "" if not truth else int(any(own["place"].startswith(first) for own in truth)),
         "intervals_right": inside, "intervals": total, "numbers_right": sum(n["low"] <= numbers[n["key"]] <= n["high"] for n in covered), "numbers": len(covered),
         "held_out_gain_nats_per_s": f'{fit["held_out_after"]["log_likelihood_per_second"] - fit["held_out_retuned"]["log_likelihood_per_second"]:.3g}',
