@@ -9,6 +9,7 @@
 #include "diagnosis/comb_relatives.hpp"
 #include "diagnosis/from_afar.hpp"
 #include "diagnosis/model_error.hpp"
+#include "diagnosis/repeated_misfit.hpp"
 #include "diagnosis/worth_refitting.hpp"
 
 namespace railpem::diagnosis {
@@ -21,6 +22,7 @@ constexpr double kLeastRelease = 3.0;  ///< nats to first order; what a wrong be
 struct Interrupted {};
 
 constexpr double kDistorted = 4.0;     ///< tolerances that a number may end away from what was believed
+constexpr double kMuchMisfit_per_s = 100.0;  ///< nats that retuning may leave for its derivatives to be trusted
 constexpr double kBluntSearch = 0.1;   ///< relative floor
 constexpr int kBluntRetuning = 8;
 constexpr double kFar = 50.0;          ///< nats that a start may lie below the fit that it starts from and still be near
@@ -57,13 +59,13 @@ class Search {
         result_.not_tested = list.not_tested;
         result_.candidates = std::move(list.candidates);
         result_.first_promises = screen(result_.retuned.fit, result_.candidates, context_);
-        first_round();
-        further_rounds(2);
-        if (left_over() < bearable()) return;
         if (is_distorted(result_.retuned.fit)) {
             blunt_search();
             if (left_over() < bearable()) return;
         }
+        first_round();
+        further_rounds(2);
+        if (left_over() < bearable()) return;
         const double before = best_score();
         rescue_round();
         if (best_score() < before + options_.least_gain) return;
@@ -76,8 +78,10 @@ class Search {
             if (!further_round(members)) break;
     }
 
-    /// Retuning has bent the believed numbers so far that a derivative at the retuned case says nothing of the believed one.
-    static bool is_distorted(const Fit& retuned) {
+    /// Retuning has bent the believed numbers so far, and to so little avail, that a derivative at the retuned case says nothing of the believed one.
+    bool is_distorted(const Fit& retuned) const {
+        const RepeatedMisfit left = repeated_misfit(retuned.trial, retuned.predictions, context_);
+        if (left.nats < kMuchMisfit_per_s * left.seconds) return false;
         for (std::size_t u = 0; u < retuned.unknowns.size(); ++u)
             if (retuned.unknowns[u].kind == UnknownKind::number && std::abs(retuned.values[u]) > kDistorted * retuned.unknowns[u].deviation) return true;
         return false;
