@@ -9,6 +9,7 @@
 #include <numbers>
 #include <set>
 
+#include "diagnosis/comb_relatives.hpp"
 #include "diagnosis/shows.hpp"
 #include "pem/sensor_chain.hpp"
 #include "pem/solution.hpp"
@@ -58,7 +59,7 @@ std::vector<double> looking_points(const Effect& effect, const EffectParameter& 
             shortest = std::min(shortest, observation.speed_m_per_s / observation.expectation.high_hz);
             longest = std::max(longest, observation.speed_m_per_s / observation.expectation.low_hz);
         }
-        if (parameter.name == "spacing_m") longest = parameter.high;  // joints show by their harmonics
+        if (parameter.name == "spacing_m") longest = longest_comb_m(observations);  // joints show by their harmonics
         const double from = std::max(parameter.low, shortest), to = std::min(parameter.high, longest);
         return from < to ? grid(parameter, from, to, 2 * kFrequencyPoints) : std::vector<double>{};
     }

@@ -4,7 +4,14 @@
 
 namespace railpem::diagnosis {
 
-std::vector<EffectInstance> comb_relatives(const EffectInstance& fitted) {
+double longest_comb_m(const std::vector<Observation>& observations) {
+    double longest = 0.0;
+    for (const Observation& observation : observations)
+        if (!observation.scalar) longest = std::max(longest, observation.speed_m_per_s / (2.0 * observation.kernel.bin_hz()));
+    return longest;
+}
+
+std::vector<EffectInstance> comb_relatives(const EffectInstance& fitted, double longest_m) {
     constexpr double kRatios[] = {1.0 / 2.0, 1.0 / 3.0, 1.0 / 4.0, 1.0 / 5.0, 2.0, 3.0};
     const Effect& effect = *find_effect(fitted.effect);
     const auto comb = std::find_if(effect.parameters.begin(), effect.parameters.end(), [](const EffectParameter& parameter) { return parameter.comb; });
@@ -12,7 +19,7 @@ std::vector<EffectInstance> comb_relatives(const EffectInstance& fitted) {
     if (comb == effect.parameters.end() || !fitted.values.count(comb->name)) return relatives;
     for (const double ratio : kRatios) {
         const double distance = ratio * fitted.values.at(comb->name);
-        if (distance < comb->low || distance > comb->high) continue;
+        if (distance < comb->low || distance > std::min(comb->high, longest_m)) continue;
         EffectInstance relative = fitted;
         relative.values[comb->name] = distance;
         for (const EffectParameter& parameter : effect.parameters)

@@ -1,16 +1,21 @@
 #pragma once
 // Distances whose lines are partly those of another distance.
 
+#include <limits>
 #include <vector>
 
 #include "diagnosis/effects/effect.hpp"
+#include "diagnosis/observation.hpp"
 
 namespace railpem::diagnosis {
+
+/// Longest distance whose lines a window of some recording still tells apart: two of its bins. What is longer acts as irregularity without lines.
+double longest_comb_m(const std::vector<Observation>& observations);
 
 /// A comb of lines at n·v/d is met halfway by one of d/2 and wholly by one of 4·d: a fit that starts from afar ends in any of them. The
 /// fitted instance with such a distance (EffectParameter::comb) divided by 2 to 5 and multiplied by 2 and 3; the strength in the same
 /// ratio, so that the lines that both have stay as they are. Empty for effects without a comb; distances beyond the range of the effect
 /// are left out.
-std::vector<EffectInstance> comb_relatives(const EffectInstance& fitted);
+std::vector<EffectInstance> comb_relatives(const EffectInstance& fitted, double longest_m = std::numeric_limits<double>::infinity());
 
 }  // namespace railpem::diagnosis

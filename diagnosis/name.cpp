@@ -251,7 +251,7 @@ class Search {
         const std::vector<std::string> released = fitted.released;
         Fit best;
         double highest = fitted.fit.log_posterior - kFar;
-        for (const EffectInstance& relative : comb_relatives(fitted.fit.trial.effects.back())) {
+        for (const EffectInstance& relative : comb_relatives(fitted.fit.trial.effects.back(), longest_comb_m(*context_.observations))) {
             Fit near{.trial = fitted.fit.trial, .unknowns = fitted.fit.unknowns, .values = fitted.fit.values};
             move_last(near, relative);
             const Supposition supposition = suppose(believed_, near, members, released, {}, context_);
