@@ -16,7 +16,7 @@ namespace railpem::track {
 
 namespace {
 
-using Complex = std::complex<double>;
+using Phasor = std::complex<double>;
 
 constexpr int kCurvePoints = 300;      ///< of E: its tangent is exact to 1e-5
 constexpr double kBeyond = 3.0;        ///< times the load that could come on one pad, where the table of E ends
@@ -64,7 +64,7 @@ class Smeared {
         for (size_ = 64; static_cast<double>(size_) * kStep_m < 2.0 * (farthest + kRun_m);) size_ *= 2;
         reference_ = 0.5 * (pad_stiffness(curve_, rest_m_) + pad_stiffness(curve_, pad_compression(curve_, rest_n_ + wheel_load_n)));  // no pad carries more
         for (std::size_t i = 0; i < size_; ++i) {
-            Complex load = 0.0;
+            Phasor load = 0.0;
             for (const double wheel : wheels_m) load += wheel_load_n / kStep_m * std::polar(1.0, -wavenumber(i) * (wheel - first_m()));
             load_.push_back(load);
         }
@@ -74,16 +74,16 @@ class Smeared {
 
     /// Elastic compression beyond that at rest, at every point. `with_memory`: as the case has it at speed v; otherwise g = 1 and v = 0.
     std::vector<double> compression(double speed, bool with_memory) {
-        std::vector<Complex> pad(size_), rail(size_);  // per compression: of the whole pad; what carries the load where pad and support move
-        std::vector<Complex> shape(size_);
+        std::vector<Phasor> pad(size_), rail(size_);  // per compression: of the whole pad; what carries the load where pad and support move
+        std::vector<Phasor> shape(size_);
         const bool layered = passing_.support.model != SupportModel::rigid;
         for (std::size_t i = 0; i < size_; ++i) {
             const double k = wavenumber(i), omega = with_memory ? -k * speed : 0.0;
-            shape[i] = with_memory ? shape_at(omega) : Complex(1.0);
-            const Complex dashpot(0.0, with_memory ? omega * pad_damping(passing_.pads) : 0.0);
+            shape[i] = with_memory ? shape_at(omega) : Phasor(1.0);
+            const Phasor dashpot(0.0, with_memory ? omega * pad_damping(passing_.pads) : 0.0);
             const double below = layered ? 1.0 / passing_.support.stiffness_n_per_m : 0.0;
             const double bending = bending_of(k) - mass_per_m() * omega * omega;
-            const Complex carried = bending * below + 1.0 / passing_.spacing_m;
+            const Phasor carried = bending * below + 1.0 / passing_.spacing_m;
             rail[i] = carried * shape[i];
             pad[i] = bending + carried * (shape[i] * reference_ + dashpot);
         }
@@ -108,16 +108,16 @@ class Smeared {
         if (rail.beam == Beam::euler) return b * k * k * k * k;
         return b * k * k * k * k / (1.0 + b * k * k / (rail.shear_modulus_pa * rail.shear_coefficient * rail.cross_section_m2));
     }
-    Complex shape_at(double omega) const {
+    Phasor shape_at(double omega) const {
         const double frequency = std::abs(omega) / (2.0 * std::numbers::pi), x = frequency / kSettled_hz;
-        Complex shape = pad_shape(passing_.pads, std::max(frequency, kSettled_hz));
-        if (x < 1.0) shape = shape.real() - shape.imag() + 2.0 * shape.imag() * Complex(x * x, x) / (1.0 + x * x);
+        Phasor shape = pad_shape(passing_.pads, std::max(frequency, kSettled_hz));
+        if (x < 1.0) shape = shape.real() - shape.imag() + 2.0 * shape.imag() * Phasor(x * x, x) / (1.0 + x * x);
         return omega < 0.0 ? std::conj(shape) : shape;
     }
 
     /// x from pad·x̂ = load − rail·(E(x) − K_reference·x)^, again and again: the reference is the mean of the softest and the stiffest tangent.
-    std::vector<double> solve(const std::vector<Complex>& rail, const std::vector<Complex>& pad) {
-        std::vector<Complex> own(size_), transform(size_);
+    std::vector<double> solve(const std::vector<Phasor>& rail, const std::vector<Phasor>& pad) {
+        std::vector<Phasor> own(size_), transform(size_);
         std::vector<double> x(size_, 0.0);
         const double largest = std::abs(load_.front()) * kStep_m;
         for (int iteration = 0; iteration < kMostIterations; ++iteration) {
@@ -138,7 +138,7 @@ class Smeared {
     Eigen::FFT<double> fft_;
     double rest_m_ = 0.0, rest_n_ = 0.0, reference_ = 0.0;
     std::size_t size_ = 0;
-    std::vector<Complex> load_;
+    std::vector<Phasor> load_;
 };
 
 bool has_memory(const PadParameters& pads) {
