@@ -65,15 +65,21 @@ class Diagnosing {
         return result;
     }
 
-    double missed_by(const Fit& fit) const { return repeated_misfit(fit.trial, fit.predictions, context_).certain(); }
+    RepeatedMisfit missed_by(const Fit& fit) const { return repeated_misfit(fit.trial, fit.predictions, context_); }
 
     void study_places() {
         say("locating in the structure", 0.76);
         if (naming_.left_by_retuned.empty()) naming_.left_by_retuned = locate(naming_.retuned.fit, context_);
         const std::vector<LocatedEvidence>& ranked = naming_.left_by_retuned;
         study_.at_retuned = evidence(ranked);
-        study_.missed_by_retuned = missed_by(naming_.retuned.fit);
-        if (!naming_.sets.empty()) study_.missed_by_named = missed_by(naming_.sets.front().fit);
+        const RepeatedMisfit by_retuned = missed_by(naming_.retuned.fit);
+        study_.missed_by_retuned = by_retuned.certain();
+        study_.room_at_retuned = by_retuned.own_place_nats;
+        if (!naming_.sets.empty()) {
+            const RepeatedMisfit by_named = missed_by(naming_.sets.front().fit);
+            study_.missed_by_named = by_named.certain();
+            study_.room_at_named = by_named.own_place_nats;
+        }
         if (!naming_.sets.empty() && naming_.sets.front().score() > naming_.retuned.score() + options_.thresholds.least_gain)
             study_.at_named = evidence(naming_.left_by_best.empty() ? locate(naming_.sets.front().fit, context_) : naming_.left_by_best);
         for (int i = 0; i < kAnonymousFits && i < static_cast<int>(ranked.size()); ++i) {

@@ -12,6 +12,8 @@ struct PlaceStudy {
     std::vector<FittedSet> anonymous;       ///< fully fitted free corrections of the best places
     double missed_by_retuned = 0.0;         ///< nats of misfit that the unseen part repeats for certain (repeated_misfit.hpp)
     double missed_by_named = 0.0;           ///< the same beside the best set
+    double room_at_retuned = 0.0;           ///< nats beyond VerdictThresholds::residual that the solution itself leaves to a free correction
+    double room_at_named = 0.0;             ///< the same beside the best set
 };
 
 /// What the verdict is made of.
