@@ -105,7 +105,7 @@ Decision decide(const NamingResult& naming, const PlaceStudy& places, const Verd
     }
     const double residual_named = places.at_named.empty() ? 0.0 : places.at_named.front().nats;
     const double residual_retuned = places.at_retuned.empty() ? 0.0 : places.at_retuned.front().nats;
-    if (gains && decision.unknown_score < best->score() + thresholds.anonymous && residual_named < nats_left(*best, nothing, thresholds.residual + places.room_at_named) && !leans(*best) &&
+    if (gains && decision.unknown_score < best->score() + thresholds.anonymous + places.room_at_named && residual_named < nats_left(*best, nothing, thresholds.residual + places.room_at_named) && !leans(*best) &&
         places.missed_by_named <= misfit_left(*best, nothing, thresholds.residual))
         decision.verdict = decision.credible.size() > 1 ? Verdict::ambiguous : only_sensors(*best) ? Verdict::recording_fault : Verdict::explained;
     else if (gains)
