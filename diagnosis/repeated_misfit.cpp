@@ -12,8 +12,8 @@ constexpr double kBlock_hz = 2.0;      ///< neighbouring bins share half of thei
 constexpr double kDeviations = 4.0;    ///< 3e-5 of normal chance
 /// Marched records of the believed model itself repeat 1 to 4 nats a second of nine channels: frequency domain and time domain differ by hundredths of a decibel.
 constexpr double kOwn_per_s = 4.0;
-/// With pads on the tangent of their curve, which vibration bends, three such records (exponent 0.1, strength 0.8) repeated 26 beside the right set.
-constexpr double kOwnOnTangents_per_s = 25.0;
+/// With pads on the tangent of their curve, which vibration bends, three such records repeated 26 beside the right set (exponent 0.1, strength 0.8) and 39 of case 3 itself.
+constexpr double kOwnOnTangents_per_s = 60.0;
 constexpr double kOwnPlace_per_s = 0.5;  ///< three records of case 3 itself left 0.3 to a free correction
 constexpr double kNormalPerMad = 1.4826;
 
