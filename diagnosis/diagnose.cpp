@@ -12,7 +12,6 @@
 #include "diagnosis/inferred_curve.hpp"
 #include "diagnosis/interval.hpp"
 #include "diagnosis/locate.hpp"
-#include "diagnosis/repeated_misfit.hpp"
 #include "diagnosis/scalar_likelihood.hpp"
 #include "diagnosis/separate.hpp"
 #include "diagnosis/shows.hpp"
@@ -65,21 +64,13 @@ class Diagnosing {
         return result;
     }
 
-    RepeatedMisfit missed_by(const Fit& fit) const { return repeated_misfit(fit.trial, fit.predictions, context_); }
-
     void study_places() {
         say("locating in the structure", 0.76);
         if (naming_.left_by_retuned.empty()) naming_.left_by_retuned = locate(naming_.retuned.fit, context_);
         const std::vector<LocatedEvidence>& ranked = naming_.left_by_retuned;
         study_.at_retuned = evidence(ranked);
-        const RepeatedMisfit by_retuned = missed_by(naming_.retuned.fit);
-        study_.missed_by_retuned = by_retuned.certain();
-        study_.room_at_retuned = by_retuned.own_place_nats;
-        if (!naming_.sets.empty()) {
-            const RepeatedMisfit by_named = missed_by(naming_.sets.front().fit);
-            study_.missed_by_named = by_named.certain();
-            study_.room_at_named = by_named.own_place_nats;
-        }
+        study_.by_retuned = missed_by(naming_.retuned.fit, context_);
+        if (!naming_.sets.empty()) study_.by_named = missed_by(naming_.sets.front().fit, context_);
         if (!naming_.sets.empty() && naming_.sets.front().score() > naming_.retuned.score() + options_.thresholds.least_gain)
             study_.at_named = evidence(naming_.left_by_best.empty() ? locate(naming_.sets.front().fit, context_) : naming_.left_by_best);
         for (int i = 0; i < kAnonymousFits && i < static_cast<int>(ranked.size()); ++i) {
@@ -347,7 +338,7 @@ class Diagnosing {
         if (!result_.per_value) result_.rests_on.push_back("ratios between the channels, which do not care what the irregularity is");
         for (const RetunedNumber& number : result_.numbers)
             if (number.outside) result_.remains.push_back(number.key + " ends " + std::to_string(std::abs(number.tolerances_away)).substr(0, 4) + " tolerances away from what was believed");
-        const double missed = result_.omitted.empty() ? study_.missed_by_retuned : study_.missed_by_named;
+        const double missed = (result_.omitted.empty() ? study_.by_retuned : study_.by_named).nats;
         if (missed > options_.thresholds.residual)
             result_.remains.push_back(fmt::format("the unseen part repeats {:.0f} nats of what the fit misses, more than chance: something of the recordings has no name here", missed));
         if (!study_.at_named.empty() && study_.at_named.front().nats > options_.thresholds.residual)

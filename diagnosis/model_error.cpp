@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "diagnosis/loaded_pads.hpp"
+#include "diagnosis/repeated_misfit.hpp"
+
 namespace railpem::diagnosis {
 
 namespace {
@@ -18,6 +21,14 @@ double nats_left(const FittedSet& set, double retuned_score, double least) { ret
 
 double misfit_left(const FittedSet& set, double retuned_score, double least) {
     return std::max(least, (is_linearised(set) ? 0.25 : 0.005) * (set.score() - retuned_score));
+}
+
+Missed missed_by(const Fit& fit, const LikelihoodContext& context) {
+    constexpr double kDeviations = 4.0;  // 3e-5 of normal chance
+    const RepeatedMisfit misfit = repeated_misfit(fit.trial, fit.predictions, context);
+    const bool tangents = load_stiffens_pads(fit.trial);
+    const double own_per_s = tangents ? 60.0 : 4.0, room_per_s = tangents ? 0.5 : 0.0;
+    return {std::max(0.0, misfit.nats - kDeviations * misfit.deviation - own_per_s * misfit.seconds), room_per_s * misfit.seconds};
 }
 
 }  // namespace railpem::diagnosis

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "diagnosis/best_start.hpp"
 #include "diagnosis/comb_relatives.hpp"
 #include "diagnosis/from_afar.hpp"
 #include "diagnosis/model_error.hpp"
@@ -204,39 +205,9 @@ class Search {
         return result_.sets.back();
     }
 
-    /// A start of a candidate beside others, and how probable it is as it stands.
-    struct Started {
-        Candidate candidate;
-        Fit near;
-        double log_posterior = -std::numeric_limits<double>::infinity();
-    };
-
-    /// A candidate beside `members`, from where its promise leads: the step that was promised, or the part of it that holds.
-    Started started(const Fit& near, const Promise& promise, const std::vector<Candidate>& members, const std::vector<std::string>& released) const {
-        constexpr double kParts[] = {1.0, 0.3, 0.1, 0.03, 0.01, 0.003, 0.0};
-        const Candidate& candidate = result_.candidates[promise.candidate];
-        Started best;
-        for (const double part : kParts) {
-            if (part == 0.0 && std::isfinite(best.log_posterior)) break;  // the mild strength is for what cannot be reached from nothing
-            Started own{.candidate = part == 0.0 ? candidate : started_at(candidate, part * promise.strength),
-                        .near = {.trial = near.trial, .unknowns = near.unknowns, .values = near.values}};
-            for (std::size_t u = 0; u < own.near.values.size(); ++u)
-                own.near.values[u] = std::clamp(near.values[u] + part * promise.strength * promise.move(static_cast<long>(u)), near.unknowns[u].low, near.unknowns[u].high);
-            std::vector<Candidate> with = members;
-            with.push_back(own.candidate);
-            const Supposition supposition = suppose(believed_, own.near, with, released, {}, context_);
-            own.log_posterior = log_posterior_at(supposition.trial, supposition.unknowns, supposition.start, context_);
-            if (own.log_posterior > best.log_posterior || part == 0.0) best = std::move(own);
-            if (best.log_posterior > near.log_posterior) break;
-        }
-        return best;
-    }
-
     /// Fits the best start of a variant.
     const FittedSet& try_starts(const Fit& near, const Starts& starts, std::vector<Candidate> members, std::vector<std::string> released, double share) {
-        Started best = started(near, starts.front(), members, released);
-        for (std::size_t i = 1; i < starts.size(); ++i)
-            if (Started other = started(near, starts[i], members, released); other.log_posterior > best.log_posterior) best = std::move(other);
+        Started best = best_start(believed_, near, starts, result_.candidates, members, released, context_);
         members.push_back(best.candidate);
         // What replaces a law of the case begins far below it, however mild: it gets the way of the retuned case, blunt first.
         const bool far = best.log_posterior < near.log_posterior - kFar;
@@ -273,34 +244,9 @@ class Search {
         }
     }
 
-    /// What replaces a law competes wherever something else at its place is worth a refit.
-    void add_replacing(std::vector<Starts>& chosen) const {
-        const auto element = [&](const Promise& promise) {
-            const EffectInstance& instance = result_.candidates[promise.candidate].instance;
-            return element_of(*find_effect(instance.effect), instance);
-        };
-        for (const Promise& promise : result_.first_promises) {
-            if (!find_effect(result_.candidates[promise.candidate].instance.effect)->replaces || promise.gain < kLeastReplacing) continue;
-            const bool there = std::any_of(chosen.begin(), chosen.end(), [&](const Starts& own) { return own.front().candidate == promise.candidate; });
-            const bool wanted = std::any_of(chosen.begin(), chosen.end(), [&](const Starts& own) { return element(own.front()) == element(promise); });
-            if (wanted && !there) chosen.push_back({promise});
-        }
-    }
-
-    /// What replaces a law of the case is tried beside every set of something else: no derivative at nothing can promise it.
-    void add_unpromised(const std::vector<Promise>& promises, std::vector<Starts>& chosen) const {
-        for (const Promise& promise : promises) {
-            const EffectInstance& instance = result_.candidates[promise.candidate].instance;
-            const Effect& effect = *find_effect(instance.effect);
-            if (!effect.replaces || promise.gain < kLeastReplacing) continue;
-            const auto same = [&](const Starts& own) { return same_variant(result_.candidates[own.front().candidate].instance, instance); };
-            if (std::none_of(chosen.begin(), chosen.end(), same)) chosen.push_back({promise});
-        }
-    }
-
     void first_round() {
         std::vector<Starts> chosen = worth_refitting(result_.first_promises, result_.candidates, options_.least_promise, options_.refits);
-        add_replacing(chosen);
+        add_replacing(result_.first_promises, result_.candidates, chosen);
         const std::vector<std::string> keys = worth_releasing(result_.retuned.fit, {}, kLeastRelease, 2);
         const double step = 0.4 / static_cast<double>(chosen.size() + keys.size() + 1);
         double share = 0.25;
@@ -351,8 +297,9 @@ class Search {
         std::erase_if(chosen, is_member);
         if (static_cast<int>(chosen.size()) > options_.later_refits) chosen.erase(chosen.begin() + options_.later_refits, chosen.end());
         // What replaces a law sits where free corrections see it: where they find nothing, its promise is the shadow of the step that replaces.
-        if (is_blunt() || left_over() < bearable()) std::erase_if(chosen, [&](const Starts& starts) { return find_effect(result_.candidates[starts.front().candidate].instance.effect)->replaces; });
-        else if (!linearised) add_unpromised(promises, chosen);
+        const auto replaces = [&](const Starts& starts) { return find_effect(result_.candidates[starts.front().candidate].instance.effect)->replaces; };
+        if (is_blunt() || left_over() < bearable()) std::erase_if(chosen, replaces);
+        else if (!linearised) add_unpromised(promises, result_.candidates, chosen);
         std::erase_if(chosen, is_member);
         Candidate winner;
         double highest = -1e300;

@@ -9,12 +9,6 @@ namespace railpem::diagnosis {
 namespace {
 
 constexpr double kBlock_hz = 2.0;      ///< neighbouring bins share half of their window's band
-constexpr double kDeviations = 4.0;    ///< 3e-5 of normal chance
-/// Marched records of the believed model itself repeat 1 to 4 nats a second of nine channels: frequency domain and time domain differ by hundredths of a decibel.
-constexpr double kOwn_per_s = 4.0;
-/// With pads on the tangent of their curve, which vibration bends, three such records repeated 26 beside the right set (exponent 0.1, strength 0.8) and 39 of case 3 itself.
-constexpr double kOwnOnTangents_per_s = 60.0;
-constexpr double kOwnPlace_per_s = 0.5;  ///< three records of case 3 itself left 0.3 to a free correction
 constexpr double kNormalPerMad = 1.4826;
 
 /// L⁻¹HL⁻ᴴ.
@@ -37,12 +31,6 @@ double repeated(const Eigen::MatrixXcd& model, const Eigen::VectorXd& noise, con
     return residual(fitted).cwiseProduct(residual(held_out).conjugate()).sum().real();
 }
 
-/// Does load stiffen the pads of a trial?
-bool stands_on_tangents(const Trial& trial) {
-    return trial.numbers.track.pads.preload_strength > 0.0 ||
-           std::any_of(trial.effects.begin(), trial.effects.end(), [](const EffectInstance& effect) { return effect.effect == "pad-preload-stiffening"; });
-}
-
 double median_of(std::vector<double> values) {
     if (values.empty()) return 0.0;
     const auto middle = values.begin() + static_cast<long>(values.size() / 2);
@@ -60,10 +48,8 @@ double spread_of_sum(const std::vector<double>& blocks) {
 
 }  // namespace
 
-double RepeatedMisfit::certain() const { return std::max(0.0, nats - kDeviations * deviation - own_per_s * seconds); }
-
 RepeatedMisfit repeated_misfit(const Trial& trial, const Predictions& predictions, const LikelihoodContext& context) {
-    RepeatedMisfit total{.own_per_s = stands_on_tangents(trial) ? kOwnOnTangents_per_s : kOwn_per_s};
+    RepeatedMisfit total;
     double variance = 0.0;
     for (std::size_t o = 0; o < context.observations->size(); ++o) {
         const Observation& observation = (*context.observations)[o];
@@ -90,7 +76,6 @@ RepeatedMisfit repeated_misfit(const Trial& trial, const Predictions& prediction
         variance += std::max(chance, seen * seen);
     }
     total.deviation = std::sqrt(variance);
-    if (stands_on_tangents(trial)) total.own_place_nats = kOwnPlace_per_s * total.seconds;
     return total;
 }
 

@@ -9,11 +9,7 @@ namespace railpem::diagnosis {
 struct RepeatedMisfit {
     double nats = 0.0;
     double deviation = 0.0;
-    double seconds = 0.0;    ///< of record
-    double own_per_s = 0.0;  ///< nats a second that the solution itself leaves to marched records: 4, and 60 where load stiffens the pads
-    double own_place_nats = 0.0;  ///< what a free correction may bring of that: nothing, and half a nat a second where load stiffens the pads
-    /// Nats beyond chance and beyond what the solution itself leaves: `nats` less four deviations and `own_per_s`, at least 0.
-    double certain() const;
+    double seconds = 0.0;  ///< of record
 };
 
 /// With R = L⁻¹ŜL⁻ᴴ − 1 of a bin, S = LLᴴ the fit's prediction, ½n·tr(Δ²) are the nats that Δ = E[R] costs. R₁ of the fitted and R₂ of the held-out

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "diagnosis/loaded_pads.hpp"
 #include "diagnosis/shows.hpp"
 
 namespace railpem::diagnosis {
@@ -26,10 +27,7 @@ Reuse shared_with_element(const Trial& trial, Element element) {
         default: break;
     }
     // The wheel load moves the pads where their stiffness follows it.
-    const bool load_matters = trial.numbers.track.statics.wheel_load_n == 0.0 &&
-                              (trial.numbers.track.pads.preload_strength > 0.0 ||
-                               std::any_of(trial.effects.begin(), trial.effects.end(),
-                                           [](const EffectInstance& effect) { return effect.effect == "pad-preload-stiffening"; }));
+    const bool load_matters = trial.numbers.track.statics.wheel_load_n == 0.0 && load_stiffens_pads(trial);
     return load_matters ? Reuse::nothing : Reuse::rail;
 }
 

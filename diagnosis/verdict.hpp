@@ -2,6 +2,7 @@
 // From fitted sets to a verdict with probabilities and words.
 
 #include "diagnosis/diagnose.hpp"
+#include "diagnosis/model_error.hpp"
 
 namespace railpem::diagnosis {
 
@@ -10,10 +11,8 @@ struct PlaceStudy {
     std::vector<PlaceEvidence> at_retuned;  ///< ranked; what each would explain of what retuning leaves
     std::vector<PlaceEvidence> at_named;    ///< the same beside the named set: what is still missing
     std::vector<FittedSet> anonymous;       ///< fully fitted free corrections of the best places
-    double missed_by_retuned = 0.0;         ///< nats of misfit that the unseen part repeats for certain (repeated_misfit.hpp)
-    double missed_by_named = 0.0;           ///< the same beside the best set
-    double room_at_retuned = 0.0;           ///< nats beyond VerdictThresholds::residual that the solution itself leaves to a free correction
-    double room_at_named = 0.0;             ///< the same beside the best set
+    Missed by_retuned;                      ///< what the retuned case misses
+    Missed by_named;                        ///< and what the best set does
 };
 
 /// What the verdict is made of.

@@ -40,6 +40,28 @@ std::vector<Starts> worth_refitting(const std::vector<Promise>& promises, const 
     return chosen;
 }
 
+void add_replacing(const std::vector<Promise>& promises, const std::vector<Candidate>& candidates, std::vector<Starts>& chosen) {
+    const auto element = [&](const Promise& promise) {
+        const EffectInstance& instance = candidates[promise.candidate].instance;
+        return element_of(*find_effect(instance.effect), instance);
+    };
+    for (const Promise& promise : promises) {
+        if (!find_effect(candidates[promise.candidate].instance.effect)->replaces || promise.gain < kLeastReplacing) continue;
+        const bool there = std::any_of(chosen.begin(), chosen.end(), [&](const Starts& own) { return own.front().candidate == promise.candidate; });
+        const bool wanted = std::any_of(chosen.begin(), chosen.end(), [&](const Starts& own) { return element(own.front()) == element(promise); });
+        if (wanted && !there) chosen.push_back({promise});
+    }
+}
+
+void add_unpromised(const std::vector<Promise>& promises, const std::vector<Candidate>& candidates, std::vector<Starts>& chosen) {
+    for (const Promise& promise : promises) {
+        const EffectInstance& instance = candidates[promise.candidate].instance;
+        if (!find_effect(instance.effect)->replaces || promise.gain < kLeastReplacing) continue;
+        const auto same = [&](const Starts& own) { return same_variant(candidates[own.front().candidate].instance, instance); };
+        if (std::none_of(chosen.begin(), chosen.end(), same)) chosen.push_back({promise});
+    }
+}
+
 std::vector<std::string> worth_releasing(const Fit& fit, const std::vector<std::string>& released, double least, int most) {
     std::vector<std::pair<double, std::string>> gains;
     for (std::size_t i = 0; i < fit.unknowns.size(); ++i) {

@@ -18,6 +18,12 @@ inline constexpr double kLeastReplacing = 30.0;
 /// screen() sorts them.
 std::vector<Starts> worth_refitting(const std::vector<Promise>& promises, const std::vector<Candidate>& candidates, double least, int most);
 
+/// Adds to `chosen` what replaces a law wherever something else at its place is worth a refit.
+void add_replacing(const std::vector<Promise>& promises, const std::vector<Candidate>& candidates, std::vector<Starts>& chosen);
+
+/// Adds everything that replaces a law of the case: no derivative at nothing can promise it.
+void add_unpromised(const std::vector<Promise>& promises, const std::vector<Candidate>& candidates, std::vector<Starts>& chosen);
+
 /// At most `most` numbers of a fit, not `released` already, whose belief the data push against by `least` nats to first order.
 std::vector<std::string> worth_releasing(const Fit& fit, const std::vector<std::string>& released, double least, int most);
 

@@ -18,11 +18,11 @@ namespace {
 
 using Phasor = std::complex<double>;
 
-constexpr int kCurvePoints = 300;      ///< of E: its tangent is exact to 1e-5
+constexpr int kCurvePoints = 300;      ///< of E
 constexpr double kBeyond = 3.0;        ///< times the load that could come on one pad, where the table of E ends
 constexpr double kSoftest = 1e-2;      ///< of K_secant: s > 1 takes all stiffness away from pads that carry little
-constexpr double kStep_m = 0.2;        ///< of the smeared track: a sixth of the shortest wave of rails on pads
-constexpr double kRun_m = 40.0;        ///< before and behind the outermost wheels; what wraps around has died away
+constexpr double kStep_m = 0.2;        ///< of the smeared track: a third of a bay of 0.6 m
+constexpr double kRun_m = 40.0;        ///< before and behind the outermost wheels
 constexpr double kSettled_hz = 0.5;
 constexpr double kAccuracy = 1e-10;
 constexpr int kMostIterations = 200;

@@ -32,6 +32,18 @@ TEST(CombRelatives, StayWithinTheRangeAndKeepTheLinesThatBothHave) {
     }
 }
 
+TEST(CombRelatives, StopWhereNoWindowTellsTheLinesApart) {
+    EXPECT_TRUE(has_spacing(comb_relatives(joints(30.0)), 60.0));
+    EXPECT_FALSE(has_spacing(comb_relatives(joints(30.0), 50.0), 60.0));
+}
+
+// Windows of 4 s have bins of 0.25 Hz: at 30 m/s lines of 60 m are two bins apart.
+TEST(CombRelatives, TwoBinsOfTheFastestRunAreTheLongestDistance) {
+    Observation slow{.speed_m_per_s = 15.0}, fast{.speed_m_per_s = 30.0};
+    slow.kernel = fast.kernel = {.window = recordings::Window::hann, .length = 4000, .sampling_rate_hz = 1000.0};
+    EXPECT_NEAR(longest_comb_m({slow, fast}), 60.0, 1e-12);
+}
+
 TEST(CombRelatives, WhatHasNoCombHasNone) {
     EXPECT_TRUE(comb_relatives({.effect = "body-bending", .values = {{"frequency_hz", 9.0}}, .choices = {}}).empty());
 }
