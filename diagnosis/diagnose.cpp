@@ -78,7 +78,7 @@ class Diagnosing {
             if (own.nats < options_.naming.least_promise) break;
             say("free correction of the " + element_name(own.place.element), 0.82 + 0.05 * i);
             FitOptions fit_options{.iterations = kAnonymousIterations, .least_gain = kAnonymousGain, .from_far = false};
-            if (!naming_.sets.empty()) fit_options.rival = naming_.sets.front().fit.log_posterior - kRoomForCurve;
+            if (!naming_.sets.empty()) fit_options.rival = &naming_.sets.front().fit, fit_options.room = kRoomForCurve;
             study_.anonymous.push_back(fit_correction(believed_, naming_.retuned.fit, own, context_, fit_options));
         }
     }

@@ -127,7 +127,7 @@ enum class End { top, tired, hopeless };
 
 /// Climbs at one floor.
 End climb(const Trial& base, const std::vector<Unknown>& unknowns, const LikelihoodContext& context, const FitOptions& options,
-          int most, double& damping, State& state, int& iterations, Normal* last = nullptr) {
+          double rival, int most, double& damping, State& state, int& iterations, Normal* last = nullptr) {
     double gained = std::numeric_limits<double>::infinity(), promised = 0.0;  // by the last step
     for (int i = 0; i < most; ++i) {
         if (options.between) options.between();
@@ -138,13 +138,16 @@ End climb(const Trial& base, const std::vector<Unknown>& unknowns, const Likelih
             const Eigen::VectorXd step = damped_step(normal, state, unknowns, damping);
             const double promise = 0.5 * step.dot(normal.gradient);
             // Only where the last step brought no more than it promised: a climb that surprises has not said yet how high it goes.
-            const bool hopeless = gained < kSurprise * promised && state.log_posterior + std::max(kHope * promise, kPace * gained) + kHopeless < options.rival;
-            if (promise < options.least_gain || hopeless) {
+            // What the last step brought or the next one would cost is less than anybody asks for, whatever their slopes say.
+            const bool flat = promise < kWorthSettling && gained < options.least_gain;
+            const bool hopeless = gained < kSurprise * promised && state.log_posterior + std::max(kHope * promise, kPace * gained) + kHopeless < rival;
+            if (promise < options.least_gain || flat || hopeless) {
                 if (last) *last = normal;
                 return hopeless ? End::hopeless : End::top;
             }
             State next = state_at(base, unknowns, moved(state, unknowns, step), context);
             better = next.log_posterior > state.log_posterior;
+            if (!better && promise < kWorthSettling && next.log_posterior > state.log_posterior - options.least_gain) gained = 0.0;
             damping = better ? std::max(damping / 10.0, 1e-9) : damping * 10.0;
             if (!better) continue;
             gained = next.log_posterior - state.log_posterior;
@@ -158,6 +161,11 @@ End climb(const Trial& base, const std::vector<Unknown>& unknowns, const Likelih
         }
     }
     return End::tired;
+}
+
+/// What the rival reaches where the likelihood is blunt. Its noise and floor are those of the sharp likelihood: seen too low rather than too high.
+double blunt_posterior(const Fit& rival, const LikelihoodContext& stage) {
+    return log_likelihood(rival.trial, rival.predictions, stage) + log_belief(rival.unknowns, rival.values);
 }
 
 }  // namespace
@@ -188,24 +196,29 @@ Fit fit(const Trial& base, std::vector<Unknown> unknowns, std::vector<double> st
     Fit result;
     LikelihoodContext stage = context;
     FitOptions blunt = options;
-    blunt.rival = FitOptions{}.rival;  // was sharp
     blunt.least_gain = std::max(options.least_gain, kStageGain);
     double damping = kFirstDamping;
     std::vector<double> values = std::move(start);
+    constexpr double kNobody = -1e300;
+    End end = End::top;
     if (options.from_far)  // blunted by 10 % there is one broad maximum; each stage brings the next within reach
         for (const double floor : options.stages) {
             stage.least_floor = floor;
             State state = state_at(base, unknowns, std::move(values), stage);
             settle(unknowns, stage, state);
-            climb(base, unknowns, stage, blunt, options.stage_iterations, damping, state, result.iterations);
+            const double rival = options.rival ? blunt_posterior(*options.rival, stage) - options.room : kNobody;
+            end = climb(base, unknowns, stage, blunt, rival, options.stage_iterations, damping, state, result.iterations);
             values = std::move(state.values);
+            if (end == End::top && state.log_posterior + kHopeless < rival) end = End::hopeless;
+            if (end == End::hopeless) break;
         }
     State state = state_at(base, unknowns, std::move(values), context);
     settle(unknowns, context, state);
     Normal normal;
-    const End end = climb(base, unknowns, context, options, options.iterations, damping, state, result.iterations, &normal);
+    const double rival = options.rival ? options.rival->log_posterior - options.room : kNobody;
+    if (end != End::hopeless) end = climb(base, unknowns, context, options, rival, options.iterations, damping, state, result.iterations, &normal);
     result.converged = end == End::top;
-    if (end == End::tired) normal = normal_equations(state, unknowns, differentiate(state.trial, unknowns, state.values, state.predictions, context), context);
+    if (normal.gradient.size() == 0) normal = normal_equations(state, unknowns, differentiate(state.trial, unknowns, state.values, state.predictions, context), context);
     const long size = static_cast<long>(unknowns.size());
     Eigen::VectorXd deviations(size);
     for (long i = 0; i < size; ++i) deviations(i) = unknowns[static_cast<std::size_t>(i)].deviation;

@@ -16,7 +16,8 @@ struct FitOptions {
     bool from_far = true;          ///< begin with a blunt likelihood (large floor) that is sharpened in stages
     std::vector<double> stages = {0.1, 0.02, 0.004};  ///< floors of the blunt likelihoods, when it begins with them
     int stage_iterations = 2;
-    double rival = -1e300;         ///< log-posterior of the best rival: a fit that cannot come near is given up
+    const struct Fit* rival = nullptr;  ///< the best rival: a fit that cannot come near is given up, also where the likelihood is still blunt
+    double room = 0.0;             ///< nats that the fit may stay behind the rival
     std::function<void()> between; ///< called between steps; may throw to stop
 };
 

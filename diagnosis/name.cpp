@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "diagnosis/best_start.hpp"
 #include "diagnosis/comb_relatives.hpp"
@@ -26,6 +27,7 @@ constexpr double kDistorted = 4.0;     ///< tolerances that a number may end awa
 constexpr double kMuchMisfit_per_s = 100.0;  ///< nats that retuning may leave for its derivatives to be trusted
 constexpr double kBluntSearch = 0.1;   ///< relative floor
 constexpr int kBluntRetuning = 8;
+constexpr double kMinor = 0.05;        ///< share of what a set explains: for what is left of that order no other set is sought in its place
 constexpr double kFar = 50.0;          ///< nats that a start may lie below the fit that it starts from and still be near
 constexpr int kFarIterations = 4;
 constexpr int kContinuations = 3;
@@ -64,9 +66,10 @@ class Search {
             blunt_search();
             if (left_over() < bearable()) return;
         }
-        first_round();
+        if (result_.sets.empty()) first_round();
         further_rounds(2);
         if (left_over() < bearable()) return;
+        if (left_over() < kMinor * (best_score() - result_.retuned.score())) return;
         const double before = best_score();
         rescue_round();
         if (best_score() < before + options_.least_gain) return;
@@ -178,6 +181,13 @@ class Search {
         if (options_.interrupted && options_.interrupted()) throw Interrupted{};
     }
 
+    const Fit& most_probable() const {
+        const Fit* found = &result_.retuned.fit;
+        for (const FittedSet& set : result_.sets)
+            if (set.fit.log_posterior > found->log_posterior) found = &set.fit;
+        return *found;
+    }
+
     void retune() {
         const Trial trial = believed_trial(believed_, *context_.observations);
         std::vector<Unknown> unknowns = nuisance_unknowns(believed_, *context_.observations);
@@ -199,9 +209,9 @@ class Search {
         fit_options.between = [this, text, share] { say(text, share); };
         fit_options.from_far = far && !is_blunt();
         if (far) fit_options.stage_iterations = kFarIterations;
-        fit_options.rival = result_.retuned.fit.log_posterior;
-        for (const FittedSet& set : result_.sets) fit_options.rival = std::max(fit_options.rival, set.fit.log_posterior);
-        result_.sets.push_back(fit_set(believed_, near, std::move(members), std::move(released), {}, context_, fit_options));
+        fit_options.rival = &most_probable();
+        FittedSet fitted = fit_set(believed_, near, std::move(members), std::move(released), {}, context_, fit_options);
+        result_.sets.push_back(std::move(fitted));
         return result_.sets.back();
     }
 
@@ -283,6 +293,8 @@ class Search {
         const FittedSet* before = best(static_cast<std::size_t>(members - 2));
         const double smaller = before ? before->score() : result_.retuned.score();
         if (!base || base->score() < smaller + options_.least_gain) return false;
+        if (extended_[members] == base->score()) return false;  // tried already, to no avail
+        extended_[members] = base->score();
         const FittedSet from = *base;
         const double share = 0.65 + 0.1 * (members - 2);
         const std::vector<Promise> promises = screen(from.fit, result_.candidates, context_);
@@ -340,6 +352,7 @@ class Search {
     const LikelihoodContext& context_;
     const NamingOptions& options_;
     NamingResult& result_;
+    std::map<int, double> extended_;  ///< score of the set to which a further member was sought last, by the number of members
     double left_beside_ = -std::numeric_limits<double>::infinity(), most_left_ = 0.0;  ///< score of the set that left_over() looked at last, and its answer
 };
 

@@ -29,6 +29,15 @@ void split(const std::complex<double>* values, std::size_t size, SplitMatrix& ma
         for (std::size_t i = 0; i < size; ++i) matrix.re[j][i] = values[j * size + i].real(), matrix.im[j][i] = values[j * size + i].imag();
 }
 
+/// The estimate gets the floor's powers too, so that what is measured under a true model still scatters about it: with the floor in the model alone every estimate
+/// is far too coherent, Fisher's information is not the curvature, and steps that it proposes overshoot.
+void blunt(Parts& parts, double least_floor) {
+    for (std::size_t c = 0; c < parts.size; ++c) parts.estimate.re[c][c] *= 1.0 + least_floor * least_floor;
+    SplitMatrix lower = parts.estimate, inverse;
+    const double own = invert_factor(lower, parts.size, inverse);
+    parts.log_determinant = std::isnan(own) ? 0.0 : own;
+}
+
 Parts parts_of(const Trial& trial, const Observation& observation, std::size_t index, const ExpectedSpectra& prediction, const MeasuredSpectra& data,
                std::size_t bin, double least_floor) {
     Parts parts;
@@ -36,6 +45,7 @@ Parts parts_of(const Trial& trial, const Observation& observation, std::size_t i
     split(&prediction.values[first], size, parts.excited);
     split(&data.values[first], size, parts.estimate);
     parts.log_determinant = data.log_determinant[bin];
+    if (least_floor > 0.0) blunt(parts, least_floor);
     for (std::size_t c = 0; c < size; ++c) {
         parts.noise[c] = trial.noise_psd[index][c];
         parts.excited.re[c][c] *= 1.0 + floor_of(trial, observation.channels[c].response, observation.frequency(bin), least_floor);
