@@ -23,6 +23,9 @@ struct Missed {
     double room = 0.0;  ///< nats of the solution's own that a free correction may bring
 };
 
+/// Nats of the solution's own that a free correction may bring beside a trial.
+double room_beside(const Trial& trial, const LikelihoodContext& context);
+
 /// The solution's own, by judgement on six trials of three marched records each: 4 nats a second of nine channels and nothing for a free correction; 60 and
 /// 0.5 where load stiffens the pads, which stand on the tangent of their curve.
 Missed missed_by(const Fit& fit, const LikelihoodContext& context);

@@ -121,7 +121,8 @@ class Search {
     /// Nats that may be left beside the best set, which left_over() put in front.
     double bearable() const {
         const bool named = !result_.sets.empty() && result_.sets.front().score() > result_.retuned.score();
-        return named ? nats_left(result_.sets.front(), result_.retuned.score(), options_.residual) : options_.residual;
+        const double left = named ? nats_left(result_.sets.front(), result_.retuned.score(), options_.residual) : options_.residual;
+        return left + room_beside(named ? result_.sets.front().fit.trial : result_.retuned.fit.trial, context_);
     }
 
     /// Nats that a free correction would still bring beside the best set.
