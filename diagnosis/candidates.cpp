@@ -59,7 +59,10 @@ std::vector<double> looking_points(const Effect& effect, const EffectParameter& 
             shortest = std::min(shortest, observation.speed_m_per_s / observation.expectation.high_hz);
             longest = std::max(longest, observation.speed_m_per_s / observation.expectation.low_hz);
         }
-        if (parameter.name == "spacing_m") longest = longest_comb_m(observations);  // joints show by their harmonics
+        if (parameter.comb) {  // shows by its harmonics: where they lie comb_distances() tells
+            longest = longest_comb_m(observations);
+            return longest > parameter.low ? std::vector<double>{std::min(parameter.typical, longest)} : std::vector<double>{};
+        }
         const double from = std::max(parameter.low, shortest), to = std::min(parameter.high, longest);
         return from < to ? grid(parameter, from, to, 2 * kFrequencyPoints) : std::vector<double>{};
     }

@@ -1,5 +1,6 @@
 #include "diagnosis/from_afar.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace railpem::diagnosis {
@@ -7,6 +8,7 @@ namespace railpem::diagnosis {
 namespace {
 
 constexpr double kBluntFloor = 0.1;
+constexpr std::size_t kClimbed = 3;         ///< of the starts, those most probable as they stand
 constexpr int kBluntIterations = 2;
 constexpr int kFurtherBluntIterations = 6;  ///< of an effect's best start
 
@@ -33,9 +35,15 @@ FittedSet blunt_from_afar(const BelievedCase& believed, const Candidate& candida
     options.between = between;
     LikelihoodContext blunt = context;
     blunt.least_floor = kBluntFloor;
+    std::vector<std::pair<double, Candidate>> starts;
+    for (Candidate& start : starts_of(candidate)) {
+        const Supposition supposition = suppose(believed, Fit{}, {start}, {}, {}, blunt);
+        starts.emplace_back(log_posterior_at(supposition.trial, supposition.unknowns, supposition.start, blunt), std::move(start));
+    }
+    std::stable_sort(starts.begin(), starts.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
     FittedSet best;
-    for (const Candidate& start : starts_of(candidate)) {
-        FittedSet set = fit_set(believed, Fit{}, {start}, {}, {}, blunt, options);
+    for (std::size_t i = 0; i < std::min(kClimbed, starts.size()); ++i) {
+        FittedSet set = fit_set(believed, Fit{}, {starts[i].second}, {}, {}, blunt, options);
         if (best.effects.empty() || set.fit.log_posterior > best.fit.log_posterior) best = std::move(set);
     }
     options.iterations = kFurtherBluntIterations;

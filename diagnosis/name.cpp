@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 
 #include "diagnosis/best_start.hpp"
+#include "diagnosis/comb_distances.hpp"
 #include "diagnosis/comb_relatives.hpp"
 #include "diagnosis/from_afar.hpp"
 #include "diagnosis/model_error.hpp"
@@ -61,7 +63,7 @@ class Search {
         CandidateList list = candidates(believed_, result_.retuned.fit.trial, *context_.observations);
         result_.not_tested = list.not_tested;
         result_.candidates = std::move(list.candidates);
-        result_.first_promises = screen(result_.retuned.fit, result_.candidates, context_);
+        result_.first_promises = screened(result_.retuned.fit);
         if (is_distorted(result_.retuned.fit)) {
             blunt_search();
             if (left_over() < bearable()) return;
@@ -77,9 +79,32 @@ class Search {
         left_over();
     }
 
+    /// Larger sets from the best of `from` − 1 members on. One grown member by member may hold some that a later one has made needless: without those it
+    /// grows again.
     void further_rounds(int from) {
         for (int members = from; members <= options_.most_effects; ++members)
             if (!further_round(members)) break;
+        if (const std::size_t left = pruned(); left > 0) further_rounds(static_cast<int>(left) + 1);
+    }
+
+    /// The best set without each of its members in turn. The size of what is then the best set, where that is another; 0 otherwise.
+    std::size_t pruned() {
+        sort_sets();
+        if (result_.sets.empty() || result_.sets.front().members() < 2 || result_.sets.front().score() == pruned_) return 0;
+        const FittedSet& whole = result_.sets.front();
+        pruned_ = whole.score();
+        const Fit near{.trial = whole.fit.trial, .unknowns = whole.fit.unknowns, .values = whole.fit.values};
+        const std::vector<Candidate> members = whole.effects;
+        const std::vector<std::string> released = whole.released;
+        for (std::size_t i = 0; i < members.size() + released.size(); ++i) {
+            std::vector<Candidate> fewer = members;
+            std::vector<std::string> numbers = released;
+            if (i < members.size()) fewer.erase(fewer.begin() + static_cast<long>(i));
+            else numbers.erase(numbers.begin() + static_cast<long>(i - members.size()));
+            try_set(near, std::move(fewer), std::move(numbers), 0.72, true);
+        }
+        sort_sets();
+        return result_.sets.front().members() < members.size() + released.size() ? result_.sets.front().members() : 0;
     }
 
     /// Retuning has bent the believed numbers so far, and to so little avail, that a derivative at the retuned case says nothing of the believed one.
@@ -106,10 +131,26 @@ class Search {
         found.first_promises = screen(found.retuned.fit, found.candidates, blunt);
         search.first_round();
         search.further_rounds(2);
+        if (search.misses()) {
+            search.rescue_round();
+            search.further_rounds(2);
+        }
         search.sort_sets();
         if (found.sets.empty() || found.sets.front().score() < found.retuned.score() + options_.least_gain) return;
         result_.sets.push_back(sharpened(believed_, found.sets.front(), context_, [this] { say("sharpening", 0.5); }));
         further_rounds(static_cast<int>(result_.sets.back().members()) + 1);
+    }
+
+    std::vector<Promise> screened(const Fit& fit) {
+        add_combs(fit, context_, result_.candidates);
+        return screen(fit, result_.candidates, context_);
+    }
+
+    /// Whether the unseen part shows again what the best set leaves.
+    bool misses() {
+        sort_sets();
+        const bool named = !result_.sets.empty() && result_.sets.front().score() > result_.retuned.score();
+        return missed_by(named ? result_.sets.front().fit : result_.retuned.fit, context_).nats > options_.residual;
     }
 
     double best_score() const {
@@ -167,6 +208,7 @@ class Search {
             done.push_back(label);
             blunt.push_back(blunt_from_afar(believed_, candidate, context_, [this, label] { say(label + " from afar", 0.7); }));
         }
+        if (is_blunt()) return static_cast<void>(std::move(blunt.begin(), blunt.end(), std::back_inserter(result_.sets)));
         std::stable_sort(blunt.begin(), blunt.end(), [](const FittedSet& a, const FittedSet& b) { return a.fit.log_posterior > b.fit.log_posterior; });
         for (std::size_t i = 0; i < std::min(kSharpened, blunt.size()); ++i) {
             const std::string label = label_of(blunt[i].effects.front().instance);
@@ -298,7 +340,7 @@ class Search {
         extended_[members] = base->score();
         const FittedSet from = *base;
         const double share = 0.65 + 0.1 * (members - 2);
-        const std::vector<Promise> promises = screen(from.fit, result_.candidates, context_);
+        const std::vector<Promise> promises = screened(from.fit);
         // Beside a linearised law the rest of its own imitates much.
         const bool linearised = share_left(from) > share_left(result_.retuned);
         const double least = linearised ? nats_left(from, result_.retuned.score(), options_.least_promise) : options_.least_promise;
@@ -353,6 +395,7 @@ class Search {
     const LikelihoodContext& context_;
     const NamingOptions& options_;
     NamingResult& result_;
+    double pruned_ = 0.0;             ///< score of the set whose members were left out last
     std::map<int, double> extended_;  ///< score of the set to which a further member was sought last, by the number of members
     double left_beside_ = -std::numeric_limits<double>::infinity(), most_left_ = 0.0;  ///< score of the set that left_over() looked at last, and its answer
 };
