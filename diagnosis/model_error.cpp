@@ -10,7 +10,7 @@ namespace railpem::diagnosis {
 namespace {
 
 bool is_linearised(const FittedSet& set) {
-    return std::any_of(set.effects.begin(), set.effects.end(), [](const Candidate& member) { return find_effect(member.instance.effect)->linearised; });
+    return std::any_of(set.effects.begin(), set.effects.end(), [](const Candidate& member) { return find_effect(member.instance.effect)->approximate; });
 }
 
 }  // namespace

@@ -7,7 +7,7 @@ namespace railpem::diagnosis {
 
 /// Share of the nats that a set explains which its own law may leave: what other effects or free corrections promise beside it and does
 /// not exceed this is no sign that something else is missing. 0.5 % for laws that the frequency domain has exactly (distance between
-/// record and solution, README.md), 2 % where a member is linearised about the level of vibration (Effect::linearised).
+/// record and solution, README.md), 2 % where the law of a member is an approximation (Effect::approximate).
 double share_left(const FittedSet& set);
 
 /// That share in nats, `retuned_score` being the score of nothing added; at least `least`.

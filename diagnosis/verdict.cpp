@@ -46,7 +46,7 @@ bool leans(const FittedSet& set) { return nats_beyond_range(set) > kLeaning; }
 
 /// Nats that a further member has to bring beside `smaller`: more than what the law of a linearised member leaves for anything to imitate.
 double least_addition(const FittedSet& smaller, double nothing, const VerdictThresholds& thresholds) {
-    const bool linearised = std::any_of(smaller.effects.begin(), smaller.effects.end(), [](const Candidate& member) { return find_effect(member.instance.effect)->linearised; });
+    const bool linearised = std::any_of(smaller.effects.begin(), smaller.effects.end(), [](const Candidate& member) { return find_effect(member.instance.effect)->approximate; });
     return linearised ? nats_left(smaller, nothing, thresholds.least_gain) : thresholds.least_gain;
 }
 

@@ -37,7 +37,7 @@ class WhitenedColumns {
     static constexpr std::size_t kBins = 4;  ///< of a block that stays in the cache
     using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
     void pack(const SplitMatrix& hermitian, double* packed) const;
-    double* at(std::vector<double>& values, std::size_t i, std::size_t j) { return &values[(i * channels_ + j) * dense_]; }
+    double* at(std::vector<double>& values, std::size_t i, std::size_t j) { return values.data() + (i * channels_ + j) * dense_; }
     void flush();
 
     std::size_t channels_, unknowns_, stride_, dense_;

@@ -25,7 +25,7 @@ Effect contact_nonlinearity() {
         .mimics =
             "A softer contact (parameter-error of contact.constant_m_per_n23); the nonlinear one goes with the level "
             "of excitation, so a rougher section or a higher speed separates.",
-        .linearised = true,
+        .approximate = true,
         .obstacle = {},
         .apply =
             [](pem::CaseParameters& parameters, const EffectInstance& effect, const ParameterAccess&) {

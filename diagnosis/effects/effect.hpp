@@ -78,7 +78,7 @@ struct Effect {
     std::vector<Band> bands;
     std::string mimics;  ///< what looks like it, and what would tell them apart
     bool abrupt = false;    ///< in its range it is never slight: screening looks at typical values instead of near nothing
-    bool linearised = false; ///< its law is linearised about the level of vibration: what the Gaussian closure leaves stays unexplained
+    bool approximate = false; ///< its law is an approximation (linearised about the level of vibration, or one that nothing in time obeys): part of it stays unexplained
     bool replaces = false;  ///< it takes the place of a law of the case: no derivative at vanishing strength speaks for it
     /// What in the case forbids the effect (it is there already, or something else overrides it); null: nothing can.
     std::function<std::optional<Obstacle>(const pem::CaseParameters&)> obstacle;

@@ -24,7 +24,7 @@ Effect pad_preload_stiffening() {
             "Stiffer pads everywhere (parameter-error of the pad): at one load only the coupling of neighbouring "
             "wheels by the softer pads between them differs. A second load, empty and full, separates: preload "
             "stiffening follows the load, nothing else does.",
-        .linearised = true,  // the tangent at the load of the wheels; vibration itself bends the curve
+        .approximate = true,  // the tangent at the load of the wheels; vibration itself bends the curve
         .obstacle = [](const pem::CaseParameters& parameters) -> std::optional<Obstacle> {
             const track::PadParameters& pads = parameters.track.pads;
             if (!pads.force_polynomial_n.empty() || !pads.curve_force_n.empty()) return std::nullopt;

@@ -30,7 +30,7 @@ Effect suspension_friction() {
         .mimics =
             "A stronger damper of that stage (parameter-error) at one level of excitation; a rougher section, or "
             "another speed, changes the equivalent damping of friction and leaves a damper as it is.",
-        .linearised = true,
+        .approximate = true,
         .obstacle = {},
         .apply =
             [](pem::CaseParameters& parameters, const EffectInstance& effect, const ParameterAccess&) {

@@ -4,8 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdio>
+#include <cstdlib>
+#include <numbers>
 #include <random>
 
+#include "diagnosis/fitted_set.hpp"
 #include "diagnosis/interval.hpp"
 #include "tests/unit/diagnosis/synthesised_fixture.hpp"
 
@@ -17,10 +21,10 @@ Synthesised small() {
                        60.0, {"bogie_1", "wheel_1"}, kSmall);
 }
 
-/// Unknowns without floor: the draws have none.
+/// Unknowns without floor and the width of lines: the draws have none of either.
 std::vector<Unknown> unknowns_of(const Synthesised& made) {
     std::vector<Unknown> unknowns = nuisance_unknowns(made.believed, made.observations);
-    std::erase_if(unknowns, [](const Unknown& unknown) { return unknown.kind == UnknownKind::floor; });
+    std::erase_if(unknowns, [](const Unknown& unknown) { return unknown.kind == UnknownKind::floor || unknown.name == "speed fluctuation"; });
     return unknowns;
 }
 
@@ -43,6 +47,38 @@ TEST(Fit, ParametersOfANullComeBack) {
     // −Σ n[…] is half of χ² with p² degrees of freedom to leading order, so L ≈ −½p²·bins, give or take √(p²·bins/2).
     const double freedom = 4.0 * static_cast<double>(made.observations[0].bins());
     EXPECT_NEAR(found.log_likelihood, -0.5 * freedom, 5.0 * std::sqrt(0.5 * freedom) + 0.05 * freedom);
+}
+
+// A speed that is steadier than a case says by default makes narrower lines. The estimate is what the truth predicts, without scatter: the amplitude comes back to what a
+// fit's last step may leave, a tenth of a nat, √0.2 deviations. With the width held at the default it does not.
+TEST(Fit, AmplitudeOfALineComesBackFromASteadySpeed) {
+    const double speed = 25.25 * 2.0 * std::numbers::pi * tests::paper_case(1).vehicle.wheel_radius_m / 3.0;  // on a bin
+    Synthesised made = synthesised(paper_believed({"vehicle.bogie_mass_kg"}), {speed}, 60.0, nine_channels(), {.window_s = 4.0, .low_hz = 15.0, .high_hz = 40.0});
+    const EffectInstance out_of_round{.effect = "wheel-out-of-roundness", .values = {{"amplitude_m", 5e-5}}, .choices = {{"wheel", "2"}, {"order", "3"}}};
+    made.truth.effects = {out_of_round};
+    made.truth.numbers.running.speed_fluctuation = 1e-5;
+    made.draw(1);
+    const Predictions exact = predict(made.truth, made.context());
+    Observation& observation = made.observations[0];
+    observation.fitted.values.clear();
+    for (std::size_t bin = 0; bin < observation.bins(); ++bin) {
+        const Eigen::MatrixXcd model = complete_prediction(made.truth, observation, 0, exact[0], bin);
+        observation.fitted.values.insert(observation.fitted.values.end(), model.data(), model.data() + model.size());
+    }
+    set_log_determinants(observation.fitted, observation.channels.size(), 60.0);
+    Candidate member{.instance = out_of_round, .probe = out_of_round};
+    member.instance.values["amplitude_m"] = 4e-5;
+    const auto deviations_away = [&](double belief) {
+        Supposition own = suppose(made.believed, Fit{}, {member}, {}, {}, made.context());
+        for (Unknown& unknown : own.unknowns)
+            if (unknown.name == "speed fluctuation") unknown.deviation = belief;
+        const Fit found = fit(own.trial, own.unknowns, own.start, made.context());
+        std::size_t index = 0;
+        EXPECT_NE(found.find("wheel-out-of-roundness.amplitude_m", &index), nullptr);
+        return (found.values[index] - std::log(5e-5)) / found.deviation(index);
+    };
+    EXPECT_NEAR(deviations_away(1.5), 0.0, std::sqrt(0.2));
+    EXPECT_LT(deviations_away(1e-6), -1.0);
 }
 
 // Truths drawn from the beliefs, recordings drawn from the truths: a 90 % interval of the posterior then covers in 90 % of the cases,
