@@ -12,6 +12,7 @@ const VerdictThresholds thresholds{};
 Candidate member(const std::string& effect) {
     Candidate own{.instance = {.effect = effect, .values = {}, .choices = {}}};
     if (effect == "sensor-gain") own.instance.choices["channel"] = "bogie_1";
+    if (effect == "suspension-friction") own.instance.choices["stage"] = "primary";
     return own;
 }
 
