@@ -354,7 +354,7 @@ class Search {
         // What replaces a law sits where free corrections see it: where they find nothing, its promise is the shadow of the step that replaces.
         const auto replaces = [&](const Starts& starts) { return find_effect(result_.candidates[starts.front().candidate].instance.effect)->replaces; };
         if (is_blunt() || left_over() < bearable()) std::erase_if(chosen, replaces);
-        else if (!linearised) add_unpromised(promises, result_.candidates, chosen);
+        else add_unpromised(promises, result_.candidates, chosen);
         std::erase_if(chosen, is_member);
         Candidate winner;
         double highest = -1e300;

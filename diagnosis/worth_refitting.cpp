@@ -46,7 +46,7 @@ void add_replacing(const std::vector<Promise>& promises, const std::vector<Candi
         return element_of(*find_effect(instance.effect), instance);
     };
     for (const Promise& promise : promises) {
-        if (!find_effect(candidates[promise.candidate].instance.effect)->replaces || promise.gain < kLeastReplacing) continue;
+        if (!find_effect(candidates[promise.candidate].instance.effect)->replaces) continue;
         const bool there = std::any_of(chosen.begin(), chosen.end(), [&](const Starts& own) { return own.front().candidate == promise.candidate; });
         const bool wanted = std::any_of(chosen.begin(), chosen.end(), [&](const Starts& own) { return element(own.front()) == element(promise); });
         if (wanted && !there) chosen.push_back({promise});

@@ -47,23 +47,26 @@ void add_gaussian(Spectrum& amplitude, const spectra::IrregularityParameters& ir
     }
 }
 
-/// Line spectrum of raised-cosine dips at a regular distance: coefficients c_m = (1/spacing)·∫ dip·e^{−i2πmx/spacing}
-/// dx. The dips keep their own spacing; on a periodic profile it is rounded so that a whole number fits.
-void add_joints(Spectrum& amplitude, const spectra::RailJoints& joints, const ProfileRequest& request, double length) {
-    const auto count = static_cast<std::size_t>(std::max(1.0, std::round(length / joints.spacing_m)));
-    const double spacing = length / static_cast<double>(count);
-    const double phase = uniform_at(derived_seed(request.seed, 71), 0) * spacing;
-    for (std::size_t m = 1; m * count + 1 < amplitude.size(); ++m) {
-        const double n = static_cast<double>(m) / spacing;
-        if (n > 1.0 / request.shortest_wavelength_m) break;
-        const double u = n * joints.length_m;
-        // ∫ −h/2·(1 + cos(2πx/l))·cos(2πnx) dx over the dip = −(h·l/2)·sinc(u)/(1 − u²), and −h·l/4 at u = 1.
-        const double sinc = std::sin(pi * u) / (pi * u);
-        const double integral = std::abs(1.0 - u * u) < 1e-6
-                                    ? -0.25 * joints.depth_m * joints.length_m
-                                    : -0.5 * joints.depth_m * joints.length_m * sinc / (1.0 - u * u);
-        amplitude[m * count] += integral / spacing * std::polar(1.0, -2.0 * pi * n * phase);
+/// Raised-cosine dips at a regular distance, from one end of the line to the other; only where the periodic profile closes, beyond both ends, is one distance another.
+/// (Rounded to a whole number per period, 12 m were 12.01 m, and another distance at every speed.)
+void add_joints(Spectrum& amplitude, const spectra::RailJoints& joints, const ProfileRequest& request, double length, std::size_t points) {
+    const double step = length / static_cast<double>(points), half = 0.5 * joints.length_m;
+    const double phase = uniform_at(derived_seed(request.seed, 71), 0) * joints.spacing_m;
+    std::vector<double> height(points, 0.0);
+    for (double order = std::ceil((request.from_m - phase) / joints.spacing_m);; ++order) {
+        const double middle = phase + order * joints.spacing_m;
+        if (middle >= request.from_m + length) break;
+        for (auto i = static_cast<std::ptrdiff_t>(std::ceil((middle - half) / step)); static_cast<double>(i) * step < middle + half; ++i) {
+            const auto wrapped = static_cast<std::size_t>((i % static_cast<std::ptrdiff_t>(points) + static_cast<std::ptrdiff_t>(points)) % static_cast<std::ptrdiff_t>(points));
+            height[wrapped] -= 0.5 * joints.depth_m * (1.0 + std::cos(pi * (static_cast<double>(i) * step - middle) / half));
+        }
     }
+    Eigen::FFT<double> transform;
+    transform.SetFlag(Eigen::FFT<double>::HalfSpectrum);
+    Spectrum own(amplitude.size());
+    transform.fwd(own, height);
+    for (std::size_t k = 1; k + 1 < amplitude.size() && static_cast<double>(k) / length <= 1.0 / request.shortest_wavelength_m; ++k)
+        amplitude[k] += own[k] / static_cast<double>(points);
 }
 
 Profile synthesise(Spectrum& amplitude, double length, std::size_t points, const ProfileRequest& request) {
@@ -108,7 +111,7 @@ Profile draw_profile(const spectra::IrregularityParameters& irregularity, const 
     const std::size_t points = power_of_two_above(points_per_wave * length / request.shortest_wavelength_m);
     Spectrum amplitude(points / 2 + 1);
     add_gaussian(amplitude, irregularity, request, length);
-    for (const spectra::RailJoints& joints : irregularity.joints) add_joints(amplitude, joints, request, length);
+    for (const spectra::RailJoints& joints : irregularity.joints) add_joints(amplitude, joints, request, length, points);
     return synthesise(amplitude, length, points, request);
 }
 

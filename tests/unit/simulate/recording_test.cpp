@@ -84,6 +84,32 @@ TEST(Profile, JointsAreRaisedCosines) {
     EXPECT_NEAR(profile.at(at + 0.2) - highest, -0.5e-3, 2e-5) << "half depth at a quarter length";
 }
 
+/// Middles of the dips of 12 m on a line from −31 m of `length` m: where the height is lowest within 2 m of itself.
+std::vector<double> middles_of_dips(double length) {
+    spectra::IrregularityParameters irregularity;
+    irregularity.bands = {{.family = spectra::Family::power_law, .shortest_wavelength_m = 0.1, .longest_wavelength_m = 1.0, .coefficient_m3 = 1e-30, .exponent = 3.0}};
+    irregularity.joints = {{.spacing_m = 12.0, .depth_m = 1e-3, .length_m = 0.8}};
+    const Profile profile = draw_profile(irregularity, request_of(-31.0, -31.0 + length));
+    std::vector<double> middles;
+    for (double x = -29.0; x < length - 34.0; x += 0.01) {
+        const double here = profile.at(x);
+        bool lowest = here < profile.at(x - 2.0) - 0.5e-3;
+        for (double other = x - 0.4; lowest && other < x + 0.4; other += 0.01) lowest = profile.at(other) >= here - 1e-12;
+        if (lowest && (middles.empty() || x > middles.back() + 1.0)) middles.push_back(x);
+    }
+    return middles;
+}
+
+// Whatever the length of the line: the comb that tells joints is as sharp as their distances are equal. Looked for in steps of 0.01 m.
+TEST(Profile, JointsKeepTheirDistanceOnALineOfAnyLength) {
+    for (const double length : {500.0, 507.3, 1337.7}) {
+        const std::vector<double> middles = middles_of_dips(length);
+        ASSERT_GT(middles.size(), static_cast<std::size_t>(length / 12.0) - 7);
+        for (std::size_t i = 1; i < middles.size(); ++i) EXPECT_NEAR(middles[i] - middles[i - 1], 12.0, 0.021) << length << " m, dip " << i;
+        EXPECT_NEAR(middles.back() - middles.front(), 12.0 * static_cast<double>(middles.size() - 1), 0.021);
+    }
+}
+
 TEST(Profile, PatchAveragesOverItsLength) {
     MeasuredProfile wave;
     for (double x = -1.0; x < 11.0; x += 1e-3) {
