@@ -116,7 +116,7 @@ class Search {
         return false;
     }
 
-    /// The search for one or two effects of vehicle and track with a blunt likelihood, in which the retuned case stays near what was believed. The best
+    /// The search for one or two effects with a blunt likelihood, in which the retuned case stays near what was believed. The best
     /// set is then sharpened, and the search goes on from there.
     void blunt_search() {
         LikelihoodContext blunt = context_;
@@ -126,8 +126,7 @@ class Search {
         pairs.most_effects = std::min(2, options_.most_effects);
         Search search(believed_, blunt, pairs, found);
         search.retune();
-        for (const Candidate& candidate : result_.candidates)
-            if (element_of(*find_effect(candidate.instance.effect), candidate.instance) != Element::sensor) found.candidates.push_back(candidate);
+        found.candidates = result_.candidates;
         found.first_promises = screen(found.retuned.fit, found.candidates, blunt);
         search.first_round();
         search.further_rounds(2);
