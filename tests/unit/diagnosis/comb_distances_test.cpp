@@ -26,7 +26,7 @@ Seen seen(const std::vector<EffectInstance>& hidden, std::uint64_t seed) {
     return own;
 }
 
-EffectInstance joints(double spacing_m) {
+EffectInstance dips_every(double spacing_m) {
     return {.effect = "rail-joints", .values = {{"spacing_m", spacing_m}, {"depth_m", 1e-3}, {"length_m", 0.5}}, .choices = {}};
 }
 
@@ -34,7 +34,7 @@ EffectInstance joints(double spacing_m) {
 // asked to be within a third of that.
 TEST(CombDistances, FindsTheDistanceOfJoints) {
     for (const double spacing : {6.3, 13.7, 25.0}) {
-        const Seen own = seen({joints(spacing)}, 1);
+        const Seen own = seen({dips_every(spacing)}, 1);
         const std::vector<CombDistance> found = comb_distances(own.fit, own.made.context(), 5.0, 44.0, 4);
         ASSERT_FALSE(found.empty());
         EXPECT_NEAR(found.front().spacing_m / spacing, 1.0, 2e-3);
@@ -54,7 +54,7 @@ TEST(CombDistances, PromisesLittleWhereThereAreNone) {
 }
 
 TEST(CombDistances, KeepsApartWhatItReturns) {
-    const Seen own = seen({joints(13.7)}, 1);
+    const Seen own = seen({dips_every(13.7)}, 1);
     const std::vector<CombDistance> found = comb_distances(own.fit, own.made.context(), 5.0, 44.0, 5);
     ASSERT_EQ(found.size(), 5U);
     for (std::size_t i = 0; i < found.size(); ++i)
@@ -66,7 +66,7 @@ TEST(CombDistances, KeepsApartWhatItReturns) {
 
 // Candidates that have a distance get companions, others none.
 TEST(CombDistances, CompanionsForCombsAlone) {
-    const Seen own = seen({joints(13.7)}, 1);
+    const Seen own = seen({dips_every(13.7)}, 1);
     std::vector<Candidate> list = candidates(own.made.believed, own.fit.trial, own.made.observations).candidates;
     const std::size_t before = list.size();
     add_combs(own.fit, own.made.context(), list);
