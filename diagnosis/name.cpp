@@ -349,6 +349,11 @@ class Search {
                                [&](const Candidate& own) { return same_variant(own.instance, result_.candidates[starts.front().candidate].instance); });
         };
         std::erase_if(chosen, is_member);
+        std::erase_if(chosen, [&](const Starts& starts) {
+            Trial with = from.fit.trial;
+            with.effects.push_back(result_.candidates[starts.front().candidate].instance);
+            return mistakes_sleepers(with);
+        });
         if (static_cast<int>(chosen.size()) > options_.later_refits) chosen.erase(chosen.begin() + options_.later_refits, chosen.end());
         // What replaces a law sits where free corrections see it: where they find nothing, its promise is the shadow of the step that replaces.
         const auto replaces = [&](const Starts& starts) { return find_effect(result_.candidates[starts.front().candidate].instance.effect)->replaces; };
@@ -387,6 +392,7 @@ class Search {
     }
 
     void sort_sets() {
+        std::erase_if(result_.sets, [](const FittedSet& set) { return mistakes_sleepers(set.fit.trial); });
         std::stable_sort(result_.sets.begin(), result_.sets.end(), [](const FittedSet& a, const FittedSet& b) { return a.score() > b.score(); });
     }
 

@@ -76,5 +76,21 @@ TEST(CombDistances, CompanionsForCombsAlone) {
     EXPECT_EQ(list[before].instance.values.at("spacing_m"), list[before].probe.values.at("spacing_m"));
 }
 
+// Neither pads that load stiffens nor joints are suspicious by themselves.
+TEST(CombDistances, NoneBesidePadsThatLoadStiffens) {
+    Trial trial;
+    trial.effects = {dips_every(25.0)};
+    EXPECT_FALSE(mistakes_sleepers(trial));
+    trial.effects.push_back({.effect = "pad-preload-stiffening", .values = {{"strength", 0.5}}, .choices = {}});
+    EXPECT_TRUE(mistakes_sleepers(trial));
+    trial.effects.erase(trial.effects.begin());
+    EXPECT_FALSE(mistakes_sleepers(trial));
+    trial.effects.clear();
+    trial.numbers.track.pads.preload_strength = 1.0;
+    EXPECT_FALSE(mistakes_sleepers(trial));
+    trial.effects = {dips_every(25.0)};
+    EXPECT_TRUE(mistakes_sleepers(trial));
+}
+
 }  // namespace
 }  // namespace railpem::diagnosis
