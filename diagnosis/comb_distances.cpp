@@ -135,18 +135,18 @@ std::vector<CombDistance> comb_distances(const Fit& fit, const LikelihoodContext
     return apart;
 }
 
-bool mistakes_sleepers(const Trial& trial) {
+bool mistakes_sleepers(const Trial& trial, const EffectInstance& added) {
+    Trial with = trial;
+    with.effects.push_back(added);
     const auto has_comb = [](const EffectInstance& instance) {
         const Effect& effect = *find_effect(instance.effect);
         return std::any_of(effect.parameters.begin(), effect.parameters.end(), [](const EffectParameter& parameter) { return parameter.comb; });
     };
-    return load_stiffens_pads(trial) && std::any_of(trial.effects.begin(), trial.effects.end(), has_comb);
+    return load_stiffens_pads(with) && std::any_of(with.effects.begin(), with.effects.end(), has_comb);
 }
 
 void add_combs(const Fit& fit, const LikelihoodContext& context, std::vector<Candidate>& candidates) {
     constexpr std::size_t kMost = 4;
-    // The lines of passing sleepers are solved on the pads of the standing car: what they leave where load stiffens the pads passes for a comb of some distance.
-    if (load_stiffens_pads(fit.trial)) return;
     const auto comb_of = [](const Candidate& candidate) -> const EffectParameter* {
         const Effect& effect = *find_effect(candidate.instance.effect);
         const auto comb = std::find_if(effect.parameters.begin(), effect.parameters.end(), [](const EffectParameter& parameter) { return parameter.comb; });

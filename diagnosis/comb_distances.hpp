@@ -19,11 +19,11 @@ struct CombDistance {
 /// score of a line's power, n·uᴴRu with u = L⁻¹t, t the response to a unit wave at the bin, is taken once for every bin, and thousands of combs are added up from it.
 std::vector<CombDistance> comb_distances(const Fit& fit, const LikelihoodContext& context, double shortest_m, double longest_m, std::size_t most);
 
-/// Gives every candidate whose effect has a distance (EffectParameter::comb) companions at the distances that the fit's misfit promises; none where load stiffens
-/// the pads.
+/// Gives every candidate whose effect has a distance (EffectParameter::comb) companions at the distances that the fit's misfit promises.
 void add_combs(const Fit& fit, const LikelihoodContext& context, std::vector<Candidate>& candidates);
 
-/// Whether a set takes for a comb what the lines of passing sleepers, solved on the pads of the standing car, leave where load stiffens the pads.
-bool mistakes_sleepers(const Trial& trial);
+/// Whether joints and pads that load stiffens would stand beside each other with `added`: the lines of passing sleepers are solved on the pads of the standing car, and what
+/// they leave where load stiffens the pads passes for a comb.
+bool mistakes_sleepers(const Trial& trial, const EffectInstance& added);
 
 }  // namespace railpem::diagnosis

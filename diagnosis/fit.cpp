@@ -137,9 +137,9 @@ End climb(const Trial& base, const std::vector<Unknown>& unknowns, const Likelih
         while (damping < kMostDamping && !better) {
             const Eigen::VectorXd step = damped_step(normal, state, unknowns, damping);
             const double promise = 0.5 * step.dot(normal.gradient);
-            // Only where the last step brought no more than it promised: a climb that surprises has not said yet how high it goes.
-            // What the last step brought or the next one would cost is less than anybody asks for, whatever their slopes say.
+            // Little is promised, and the last step brought next to nothing of what it had promised.
             const bool flat = promise < kWorthSettling && gained < options.least_gain;
+            // Only where the last step brought no more than it promised: a climb that surprises has not said yet how high it goes.
             const bool hopeless = gained < kSurprise * promised && state.log_posterior + std::max(kHope * promise, kPace * gained) + kHopeless < rival;
             if (promise < options.least_gain || flat || hopeless) {
                 if (last) *last = normal;

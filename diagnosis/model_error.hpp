@@ -5,6 +5,9 @@
 
 namespace railpem::diagnosis {
 
+/// Whether the law of a member is an approximation (Effect::approximate).
+bool is_approximate(const FittedSet& set);
+
 /// Share of the nats that a set explains which its own law may leave: what other effects or free corrections promise beside it and does
 /// not exceed this is no sign that something else is missing. 0.5 % for laws that the frequency domain has exactly (distance between
 /// record and solution, README.md), 2 % where the law of a member is an approximation (Effect::approximate).

@@ -20,7 +20,7 @@ constexpr double kIrregularityDeviation = 0.35;  ///< of a node, in log power: 1
 constexpr double kLevelDeviation = 0.35;        ///< of all nodes together
 constexpr double kMeasuredLevelDeviation = 1e-3; ///< where the nodes are measured they carry the level
 constexpr double kFluctuationDeviation = 1.5;  ///< of its logarithm: nobody states how steady a speed was
-constexpr double kLeastFluctuation = 1e-5, kMostFluctuation = 0.05;
+constexpr double kLeastFluctuation = 1e-5, kMostFluctuation = 0.05;  ///< what a case may state
 constexpr double kPassingDeviation = 0.10;      ///< of the amplitude of sleeper passing computed from the case
 constexpr double kNoiseDeviation = 3.0;         ///< in log power: known to a factor of 20
 constexpr double kFloorMean = -7.6;             ///< log of 5e-4: what two sound simulators differ by
@@ -100,6 +100,20 @@ void add_scalar(const Observation& observation, std::size_t o, std::vector<Unkno
                                 .set = [o, c](Trial& trial, double x) { trial.log_gain[o][c] = x; }});
 }
 
+/// The width of all lines. Held at a guess it is taken from their power: a line narrower than believed has less beside its bin than the model says, and the
+/// amplitude of an out-of-round wheel came out 14 % low.
+void add_fluctuation(const BelievedCase& believed, const std::vector<Observation>& observations, std::vector<Unknown>& unknowns) {
+    const double own = believed.numbers.running.speed_fluctuation;
+    if (std::all_of(observations.begin(), observations.end(), [](const Observation& observation) { return observation.scalar.has_value(); })) return;
+    unknowns.push_back({.kind = UnknownKind::passing,
+                        .name = "speed fluctuation",
+                        .deviation = kFluctuationDeviation,
+                        .low = std::log(kLeastFluctuation / own),
+                        .high = std::log(kMostFluctuation / own),
+                        .step = 1e-5,
+                        .set = [own](Trial& trial, double x) { trial.numbers.running.speed_fluctuation = std::clamp(own * std::exp(x), kLeastFluctuation, kMostFluctuation); }});
+}
+
 void add_recording(const std::vector<Observation>& observations, std::vector<Unknown>& unknowns) {
     for (std::size_t o = 0; o < observations.size(); ++o) {
         const Observation& observation = observations[o];
@@ -166,24 +180,6 @@ FloorPlace floor_place(double frequency_hz) {
     while (node + 2 < kFloorNodeCount && f > kFloorNodes[node + 1]) ++node;
     return {node, std::log(f / kFloorNodes[node]) / std::log(kFloorNodes[node + 1] / kFloorNodes[node])};
 }
-
-namespace {
-
-/// The width of all lines. Held at a guess it is taken from their power: a line narrower than believed has less beside its bin than the model says, and the
-/// amplitude of an out-of-round wheel came out 14 % low.
-void add_fluctuation(const BelievedCase& believed, const std::vector<Observation>& observations, std::vector<Unknown>& unknowns) {
-    const double own = believed.numbers.running.speed_fluctuation;
-    if (std::all_of(observations.begin(), observations.end(), [](const Observation& observation) { return observation.scalar.has_value(); })) return;
-    unknowns.push_back({.kind = UnknownKind::passing,
-                        .name = "speed fluctuation",
-                        .deviation = kFluctuationDeviation,
-                        .low = std::log(kLeastFluctuation / own),
-                        .high = std::log(kMostFluctuation / own),
-                        .step = 1e-5,
-                        .set = [own](Trial& trial, double x) { trial.numbers.running.speed_fluctuation = std::clamp(own * std::exp(x), kLeastFluctuation, kMostFluctuation); }});
-}
-
-}  // namespace
 
 pem::CaseParameters case_of(const Trial& trial, const BelievedCase& believed, const Observation& observation) {
     pem::CaseParameters parameters = trial.numbers;

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <map>
 
-
 namespace railpem::diagnosis {
 
 namespace {
@@ -44,10 +43,9 @@ constexpr double kLeaning = 2.0;  ///< nats that a set may gain beyond the range
 
 bool leans(const FittedSet& set) { return nats_beyond_range(set) > kLeaning; }
 
-/// Nats that a further member has to bring beside `smaller`: more than what the law of a linearised member leaves for anything to imitate.
+/// Nats that a further member has to bring beside `smaller`: more than what a law that is an approximation leaves for anything to imitate.
 double least_addition(const FittedSet& smaller, double nothing, const VerdictThresholds& thresholds) {
-    const bool linearised = std::any_of(smaller.effects.begin(), smaller.effects.end(), [](const Candidate& member) { return find_effect(member.instance.effect)->approximate; });
-    return linearised ? nats_left(smaller, nothing, thresholds.least_gain) : thresholds.least_gain;
+    return is_approximate(smaller) ? nats_left(smaller, nothing, thresholds.least_gain) : thresholds.least_gain;
 }
 
 bool says_as_much(const FittedSet& smaller, const FittedSet& larger, double nothing, const VerdictThresholds& thresholds) {

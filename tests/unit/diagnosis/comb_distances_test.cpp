@@ -78,18 +78,15 @@ TEST(CombDistances, CompanionsForCombsAlone) {
 
 // Neither pads that load stiffens nor joints are suspicious by themselves.
 TEST(CombDistances, NoneBesidePadsThatLoadStiffens) {
-    Trial trial;
-    trial.effects = {dips_every(25.0)};
-    EXPECT_FALSE(mistakes_sleepers(trial));
-    trial.effects.push_back({.effect = "pad-preload-stiffening", .values = {{"strength", 0.5}}, .choices = {}});
-    EXPECT_TRUE(mistakes_sleepers(trial));
-    trial.effects.erase(trial.effects.begin());
-    EXPECT_FALSE(mistakes_sleepers(trial));
-    trial.effects.clear();
-    trial.numbers.track.pads.preload_strength = 1.0;
-    EXPECT_FALSE(mistakes_sleepers(trial));
-    trial.effects = {dips_every(25.0)};
-    EXPECT_TRUE(mistakes_sleepers(trial));
+    const EffectInstance preload{.effect = "pad-preload-stiffening", .values = {{"strength", 0.5}}, .choices = {}};
+    Trial plain, with_joints, loaded;
+    with_joints.effects = {dips_every(25.0)};
+    loaded.numbers.track.pads.preload_strength = 1.0;
+    EXPECT_FALSE(mistakes_sleepers(plain, dips_every(25.0)));
+    EXPECT_FALSE(mistakes_sleepers(plain, preload));
+    EXPECT_FALSE(mistakes_sleepers(loaded, preload));
+    EXPECT_TRUE(mistakes_sleepers(with_joints, preload));
+    EXPECT_TRUE(mistakes_sleepers(loaded, dips_every(25.0)));
 }
 
 }  // namespace

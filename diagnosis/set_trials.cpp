@@ -1,0 +1,158 @@
+#include "diagnosis/set_trials.hpp"
+
+#include <algorithm>
+
+#include "diagnosis/best_start.hpp"
+#include "diagnosis/comb_relatives.hpp"
+
+namespace railpem::diagnosis {
+
+namespace {
+
+constexpr int kBluntRetuning = 8;
+constexpr double kFar = 50.0;  ///< nats that a start may lie below the fit that it starts from and still be near
+constexpr int kFarIterations = 4;
+constexpr int kContinuations = 3;
+
+/// Gives the last effect of a fit other values.
+void move_last(Fit& fit, const EffectInstance& values) {
+    const Effect& effect = *find_effect(values.effect);
+    const int last = static_cast<int>(fit.trial.effects.size()) - 1;
+    for (std::size_t u = 0; u < fit.unknowns.size(); ++u) {
+        if (fit.unknowns[u].kind != UnknownKind::effect || fit.unknowns[u].index != last) continue;
+        for (const EffectParameter& parameter : effect.parameters)
+            if (fit.unknowns[u].name == effect.id + "." + parameter.name) fit.values[u] = to_coordinate(parameter, values.values.at(parameter.name));
+    }
+}
+
+std::string text_of(const std::vector<Candidate>& members, const std::vector<std::string>& released) {
+    std::string text;
+    for (const Candidate& member : members) text += (text.empty() ? "" : " + ") + label_of(member.instance);
+    for (const std::string& key : released) text += (text.empty() ? "" : " + ") + key;
+    return text;
+}
+
+/// What other fits start from, without predictions and covariance.
+Fit values_of(const Fit& fit) { return {.trial = fit.trial, .unknowns = fit.unknowns, .values = fit.values}; }
+
+}  // namespace
+
+SetTrials::SetTrials(const BelievedCase& believed, const LikelihoodContext& context, const NamingOptions& options, NamingResult& result)
+    : believed_(believed), context_(context), options_(options), result_(result) {}
+
+bool SetTrials::is_blunt() const { return context_.least_floor > 0.0; }
+
+void SetTrials::say(const std::string& what, double share) const {
+    if (options_.progress) options_.progress(what, share);
+    if (options_.interrupted && options_.interrupted()) throw Interrupted{};
+}
+
+void SetTrials::retune() {
+    const Trial trial = believed_trial(believed_, *context_.observations);
+    std::vector<Unknown> unknowns = nuisance_unknowns(believed_, *context_.observations);
+    const std::vector<double> start = means(unknowns);
+    FitOptions fit_options;
+    fit_options.between = [this] { say("retuning", 0.05); };
+    fit_options.from_far = !is_blunt();
+    if (is_blunt()) fit_options.iterations = kBluntRetuning;
+    result_.retuned.fit = fit(trial, std::move(unknowns), start, context_, fit_options);
+    result_.retuned.held_out = part_log_likelihood(result_.retuned.fit, context_, Part::held_out);
+}
+
+const FittedSet& SetTrials::try_set(const Fit& near, std::vector<Candidate> members, std::vector<std::string> released, double share, bool far) {
+    const std::string text = text_of(members, released);
+    say(text, share);
+    FitOptions fit_options;
+    fit_options.between = [this, text, share] { say(text, share); };
+    fit_options.from_far = far && !is_blunt();
+    if (far) fit_options.stage_iterations = kFarIterations;
+    fit_options.rival = &most_probable();
+    FittedSet fitted = fit_set(believed_, near, std::move(members), std::move(released), {}, context_, fit_options);
+    result_.sets.push_back(std::move(fitted));
+    return result_.sets.back();
+}
+
+const FittedSet& SetTrials::try_starts(const Fit& near, const Starts& starts, std::vector<Candidate> members, std::vector<std::string> released, double share) {
+    Started best = best_start(believed_, near, starts, result_.candidates, members, released, context_);
+    members.push_back(best.candidate);
+    // What replaces a law of the case begins far below it, however mild: it gets the way of the retuned case, blunt first.
+    const bool far = best.log_posterior < near.log_posterior - kFar;
+    try_set(best.near, std::move(members), std::move(released), share, far);
+    return try_relatives(result_.sets.size() - 1, share);
+}
+
+const FittedSet& SetTrials::try_relatives(std::size_t index, double share) {
+    const FittedSet& fitted = result_.sets[index];
+    const std::vector<Candidate> members = fitted.effects;
+    const std::vector<std::string> released = fitted.released;
+    Fit best;
+    double highest = fitted.fit.log_posterior - kFar;
+    for (const EffectInstance& relative : comb_relatives(fitted.fit.trial.effects.back(), longest_comb_m(*context_.observations))) {
+        Fit near = values_of(fitted.fit);
+        move_last(near, relative);
+        const Supposition supposition = suppose(believed_, near, members, released, {}, context_);
+        if (const double own = log_posterior_at(supposition.trial, supposition.unknowns, supposition.start, context_); own > highest) highest = own, best = std::move(near);
+    }
+    if (best.unknowns.empty()) return fitted;
+    const FittedSet& other = try_set(best, members, released, share);
+    return other.score() > result_.sets[index].score() ? other : result_.sets[index];
+}
+
+void SetTrials::finish_best(std::size_t members) {
+    for (int i = 0; i < kContinuations; ++i) {
+        const FittedSet* found = best(members);
+        if (!found || found->fit.converged || found->score() < result_.retuned.score()) return;
+        FittedSet& own = result_.sets[static_cast<std::size_t>(found - result_.sets.data())];
+        const double before = own.score();
+        FitOptions near{.from_far = false};
+        near.between = [this] { say("going on", 0.6); };
+        FittedSet further = fit_set(believed_, own.fit, own.effects, own.released, {}, context_, near);
+        if (further.score() > before) own = std::move(further);
+        if (own.score() < before + options_.least_gain) return;
+    }
+}
+
+std::size_t SetTrials::prune() {
+    const FittedSet& whole = leading();
+    if (whole.members() < 2 || whole.score() == pruned_) return 0;
+    pruned_ = whole.score();
+    const Fit near = values_of(whole.fit);
+    const std::vector<Candidate> members = whole.effects;
+    const std::vector<std::string> released = whole.released;
+    for (std::size_t i = 0; i < members.size() + released.size(); ++i) {
+        std::vector<Candidate> fewer = members;
+        std::vector<std::string> numbers = released;
+        if (i < members.size()) fewer.erase(fewer.begin() + static_cast<long>(i));
+        else numbers.erase(numbers.begin() + static_cast<long>(i - members.size()));
+        try_set(near, std::move(fewer), std::move(numbers), 0.72, true);
+    }
+    const std::size_t left = leading().members();
+    return left < members.size() + released.size() ? left : 0;
+}
+
+const FittedSet* SetTrials::best(std::size_t members) const {
+    const FittedSet* found = nullptr;
+    for (const FittedSet& set : result_.sets)
+        if (set.members() == members && (!found || set.score() > found->score())) found = &set;
+    return found;
+}
+
+const FittedSet& SetTrials::leading() const {
+    const FittedSet* found = &result_.retuned;
+    for (const FittedSet& set : result_.sets)
+        if (set.score() > found->score()) found = &set;
+    return *found;
+}
+
+const Fit& SetTrials::most_probable() const {
+    const Fit* found = &result_.retuned.fit;
+    for (const FittedSet& set : result_.sets)
+        if (set.fit.log_posterior > found->log_posterior) found = &set.fit;
+    return *found;
+}
+
+void SetTrials::sort() {
+    std::stable_sort(result_.sets.begin(), result_.sets.end(), [](const FittedSet& a, const FittedSet& b) { return a.score() > b.score(); });
+}
+
+}  // namespace railpem::diagnosis

@@ -1,0 +1,67 @@
+#pragma once
+// The fits of which the search for what was left out consists.
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "diagnosis/name.hpp"
+#include "diagnosis/worth_refitting.hpp"
+
+namespace railpem::diagnosis {
+
+/// Thrown between steps when somebody wants to end the search.
+struct Interrupted {};
+
+/// Fits sets of effects and released numbers, and keeps all of them in a NamingResult. Every fit may throw Interrupted; what was fitted before stays.
+class SetTrials {
+  public:
+    /// All arguments have to outlive this; `result.candidates` may grow while it is used.
+    SetTrials(const BelievedCase& believed, const LikelihoodContext& context, const NamingOptions& options, NamingResult& result);
+
+    /// Whether the likelihood is blunted by a floor: such fits begin near and stay near.
+    bool is_blunt() const;
+
+    /// Reports what is being done and the share done; throws Interrupted when asked to end.
+    void say(const std::string& what, double share) const;
+
+    /// Fits the believed case with nothing added.
+    void retune();
+
+    /// Fits one set from a fit near it. `far`: with the likelihood blunted first, in few steps of each stage.
+    const FittedSet& try_set(const Fit& near, std::vector<Candidate> members, std::vector<std::string> released, double share, bool far = false);
+
+    /// Fits the best start of a variant beside `members`; a comb of lines also from the best of the distances that share lines with it. The better.
+    const FittedSet& try_starts(const Fit& near, const Starts& starts, std::vector<Candidate> members, std::vector<std::string> released, double share);
+
+    /// A fit of the best set of so many members that ran out of steps goes on: what it has left to gain would be put down to the next member.
+    void finish_best(std::size_t members);
+
+    /// The best set without each of its members in turn: one grown member by member may hold some that a later one has made needless. The size of what is
+    /// then the best set, where that is smaller; 0 otherwise, and where this set was asked about before.
+    std::size_t prune();
+
+    /// The best set of so many members; none: nullptr.
+    const FittedSet* best(std::size_t members) const;
+
+    /// The best set if it is better than the retuned case, which stands for nothing added; else that.
+    const FittedSet& leading() const;
+
+    /// Whether something added is better than nothing.
+    bool names() const { return &leading() != &result_.retuned; }
+
+    /// Puts the best sets first.
+    void sort();
+
+  private:
+    const FittedSet& try_relatives(std::size_t index, double share);
+    const Fit& most_probable() const;
+
+    const BelievedCase& believed_;
+    const LikelihoodContext& context_;
+    const NamingOptions& options_;
+    NamingResult& result_;
+    double pruned_ = 0.0;  ///< score of the set whose members were left out last
+};
+
+}  // namespace railpem::diagnosis
