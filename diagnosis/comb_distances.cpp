@@ -135,7 +135,7 @@ std::vector<CombDistance> comb_distances(const Fit& fit, const LikelihoodContext
     return apart;
 }
 
-bool mistakes_sleepers(const Trial& trial, const EffectInstance& added) {
+bool mistakes_distortion(const Trial& trial, const EffectInstance& added) {
     Trial with = trial;
     with.effects.push_back(added);
     const auto has_comb = [](const EffectInstance& instance) {

@@ -29,6 +29,7 @@ struct State {
     Predictions predictions;
     double log_likelihood = 0.0;
     double log_posterior = -std::numeric_limits<double>::infinity();
+    bool possible() const { return !predictions.spectra.empty(); }
 };
 
 double log_belief(const std::vector<Unknown>& unknowns, const std::vector<double>& values) {
@@ -199,12 +200,17 @@ Fit fit(const Trial& base, std::vector<Unknown> unknowns, std::vector<double> st
     blunt.least_gain = std::max(options.least_gain, kStageGain);
     double damping = kFirstDamping;
     std::vector<double> values = std::move(start);
+    const auto impossible = [&](State& state) {
+        constexpr double kNever = -std::numeric_limits<double>::infinity();
+        return Fit{.trial = std::move(state.trial), .unknowns = unknowns, .values = std::move(state.values), .log_likelihood = kNever, .log_posterior = kNever, .log_evidence = kNever};
+    };
     constexpr double kNobody = -1e300;
     End end = End::top;
     if (options.from_far)  // blunted by 10 % there is one broad maximum; each stage brings the next within reach
         for (const double floor : options.stages) {
             stage.least_floor = floor;
             State state = state_at(base, unknowns, std::move(values), stage);
+            if (!state.possible()) return impossible(state);
             settle(unknowns, stage, state);
             const double rival = options.rival ? blunt_posterior(*options.rival, stage) - options.room : kNobody;
             end = climb(base, unknowns, stage, blunt, rival, options.stage_iterations, damping, state, result.iterations);
@@ -213,6 +219,7 @@ Fit fit(const Trial& base, std::vector<Unknown> unknowns, std::vector<double> st
             if (end == End::hopeless) break;
         }
     State state = state_at(base, unknowns, std::move(values), context);
+    if (!state.possible()) return impossible(state);
     settle(unknowns, context, state);
     Normal normal;
     const double rival = options.rival ? options.rival->log_posterior - options.room : kNobody;

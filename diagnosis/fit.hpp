@@ -42,7 +42,8 @@ struct Fit {
 /// Log-posterior at given values, without climbing; −∞ where physics forbids them.
 double log_posterior_at(const Trial& base, const std::vector<Unknown>& unknowns, std::vector<double> values, const LikelihoodContext& context);
 
-/// Fits `unknowns` from `start` by Fisher scoring with Levenberg damping within the bounds.
+/// Fits `unknowns` from `start` by Fisher scoring with Levenberg damping within the bounds. From a start that physics forbids there is no fit: its logarithms are
+/// −∞, predictions and covariance empty.
 Fit fit(const Trial& base, std::vector<Unknown> unknowns, std::vector<double> start, const LikelihoodContext& context,
         const FitOptions& options = {});
 

@@ -63,6 +63,7 @@ double nats_beyond_range(const FittedSet& set) {
 }
 
 double part_log_likelihood(const Fit& fit, const LikelihoodContext& context, Part part) {
+    if (fit.predictions.spectra.empty()) return -std::numeric_limits<double>::infinity();
     LikelihoodContext other = context;
     other.part = part;
     return log_likelihood(fit.trial, fit.predictions, other);

@@ -47,7 +47,7 @@ class Search {
         }
         trials_.sort();
         if (load_stiffens_pads(trials_.leading().fit.trial))
-            result_.not_tested.push_back({"rail-joints", "beside pads that load stiffens: the lines of passing sleepers are not solved well enough there to tell joints from them"});
+            result_.not_tested.push_back({"rail-joints", "beside pads that load stiffens: they follow the load of every moment, and the distortion that this leaves passes for a comb of joints"});
     }
 
   private:
@@ -118,7 +118,7 @@ class Search {
     std::vector<Promise> screened(const Fit& fit) {
         add_combs(fit, context_, result_.candidates);
         std::vector<Promise> promises = screen(fit, result_.candidates, context_);
-        std::erase_if(promises, [&](const Promise& promise) { return mistakes_sleepers(fit.trial, result_.candidates[promise.candidate].instance); });
+        std::erase_if(promises, [&](const Promise& promise) { return mistakes_distortion(fit.trial, result_.candidates[promise.candidate].instance); });
         return promises;
     }
 
@@ -248,7 +248,7 @@ class Search {
         for (const Candidate& first : firsts) {
             Trial alone = result_.retuned.fit.trial;
             alone.effects.push_back(first.instance);
-            if (!mistakes_sleepers(alone, second.instance)) trials_.try_set(result_.retuned.fit, {first, second}, {}, share);
+            if (!mistakes_distortion(alone, second.instance)) trials_.try_set(result_.retuned.fit, {first, second}, {}, share);
         }
     }
 

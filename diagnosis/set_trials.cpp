@@ -1,6 +1,7 @@
 #include "diagnosis/set_trials.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "diagnosis/best_start.hpp"
 #include "diagnosis/comb_relatives.hpp"
@@ -152,6 +153,7 @@ const Fit& SetTrials::most_probable() const {
 }
 
 void SetTrials::sort() {
+    std::erase_if(result_.sets, [](const FittedSet& set) { return !std::isfinite(set.score()); });
     std::stable_sort(result_.sets.begin(), result_.sets.end(), [](const FittedSet& a, const FittedSet& b) { return a.score() > b.score(); });
 }
 

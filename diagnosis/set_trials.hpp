@@ -50,7 +50,7 @@ class SetTrials {
     /// Whether something added is better than nothing.
     bool names() const { return &leading() != &result_.retuned; }
 
-    /// Puts the best sets first.
+    /// Puts the best sets first; those that physics forbids go.
     void sort();
 
   private:

@@ -8,6 +8,7 @@
 
 #include "pem/angular_frequency.hpp"
 #include "pem/passing_positions.hpp"
+#include "track/rolling_pads.hpp"
 
 namespace railpem::pem {
 
@@ -103,6 +104,21 @@ std::array<std::array<std::complex<double>, 4>, lanes::width> coefficients(const
     return result;
 }
 
+/// Sound fasteners: the rail under rolling wheels, in closed form but for what load changes.
+std::vector<SpectralLine> lines_of_the_bays(const CaseParameters& parameters, const std::vector<double>& wheels_m, double speed) {
+    const double factor = parameters.sleeper_passing.amplitude_factor, spacing = parameters.track.spacing_m;
+    const int orders = std::min(kOrdersPerBay, static_cast<int>(parameters.frequency.to_hz * spacing / speed));
+    const track::PadHistory history = track::pad_history(parameters.track, wheels_m, wheel_load_n(parameters), speed);
+    const auto deflection = track::rolling_deflection(parameters.track, wheels_m, speed, history, orders);
+    std::vector<SpectralLine> lines;
+    for (int m = 1; m <= orders; ++m) {
+        SpectralLine line{.frequency_hz = m * speed / spacing};
+        for (std::size_t wheel = 0; wheel < 4; ++wheel) line.amplitude_m[wheel] = -2.0 * factor * deflection[static_cast<std::size_t>(m - 1) * 4 + wheel];
+        lines.push_back(line);
+    }
+    return lines;
+}
+
 }  // namespace
 
 std::vector<SpectralLine> passing_lines(const CaseParameters& parameters, const std::vector<double>& wheels_m,
@@ -110,6 +126,7 @@ std::vector<SpectralLine> passing_lines(const CaseParameters& parameters, const 
     const double factor = parameters.sleeper_passing.amplitude_factor;
     const int period = std::max(1, failure_period(parameters));
     if (factor == 0.0 && period == 1) return {};
+    if (period == 1) return lines_of_the_bays(parameters, wheels_m, speed);
     const double spacing = parameters.track.spacing_m;
     const int highest =
         std::min(kOrdersPerBay * period, static_cast<int>(parameters.frequency.to_hz * period * spacing / speed));

@@ -23,10 +23,10 @@ constexpr double kBreakFelt = 4.0;   ///< in the same: beyond it a break at ω' 
 constexpr double kGathered = 8.0;    ///< in steps: how far around the break the points gather
 constexpr double kStretched = 1.16;  ///< what they are spread at most elsewhere: 5s² − 4s³ at s = 5/6
 
-/// What D(ω', k) is made of beside k. Losses keep the sign that they have for ω' > 0;
+/// What D(ω', k) is made of beside k. Losses keep the sign that they have for ω' > 0; D(−ω') is the conjugate, the rail's constant loss included.
 struct Laws {
     BeamCoefficients beam;
-    Complex foundation;  ///< K/spacing − μ
+    Complex foundation;  ///< K/spacing
 };
 
 Laws laws_at(const ExactRail& rail, double pad_stiffness, Real size) {
@@ -34,18 +34,11 @@ Laws laws_at(const ExactRail& rail, double pad_stiffness, Real size) {
     size = size < small ? small : size;
     Laws laws;
     laws.beam = beam_coefficients(rail.rail, rail.dampers, size);
-    laws.foundation = SupportLaw(rail.pads, rail.support, size).stiffness(pad_stiffness) * (1.0 / rail.spacing_m) - laws.beam.inertia;
+    laws.foundation = SupportLaw(rail.pads, rail.support, size).stiffness(pad_stiffness) * (1.0 / rail.spacing_m);
     return laws;
 }
 
-/// D for ω' > 0; its conjugate for ω' < 0, the rail's constant loss included.
-Complex dynamic_stiffness(const Laws& laws, Beam beam, Real k) {
-    const Real k2 = k * k;
-    const Complex bending = laws.beam.bending * k2;
-    if (beam == Beam::euler) return bending * k2 + laws.foundation;
-    const Complex turning = bending + (-laws.beam.rotary);
-    return turning * k2 / (laws.beam.shear_compliance * turning + 1.0) + laws.foundation;
-}
+Complex dynamic_stiffness(const Laws& laws, Real k) { return beam_stiffness(laws.beam, k) + laws.foundation; }
 
 /// Points k = centre ± τ(t), t = (n + ½)·step, with τ = t⁵/(t² + b²)²: the fifth power smooths a break
 /// at the centre, which a plain rule would stumble over.
@@ -107,9 +100,9 @@ class Change {
 
     Complex operator()(Real k) const {  // (D_0 − D_v)/(D_v·D_0)
         const Real convected = omega_ - speed_ * k, size = convected < Real{} ? -convected : convected;
-        Complex moving = dynamic_stiffness(laws_at(rail_, pad_stiffness_, size), rail_.rail.beam, k);
+        Complex moving = dynamic_stiffness(laws_at(rail_, pad_stiffness_, size), k);
         moving.im = convected < Real{} ? -moving.im : moving.im;
-        const Complex resting = dynamic_stiffness(at_rest_, rail_.rail.beam, k);
+        const Complex resting = dynamic_stiffness(at_rest_, k);
         return (resting - moving) / (moving * resting);
     }
     /// Where ω' = 0 and losses turn their sign.

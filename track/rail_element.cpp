@@ -107,6 +107,12 @@ BeamCoefficients beam_coefficients(const RailParameters& rail, const std::vector
     return beam;
 }
 
+Complex beam_stiffness(const BeamCoefficients& beam, Real wavenumber_per_m) {
+    const Real k2 = wavenumber_per_m * wavenumber_per_m;
+    const Complex turning = beam.bending * k2 + (-beam.rotary);
+    return turning * k2 / (beam.shear_compliance * turning + 1.0) - beam.inertia;
+}
+
 Matrix2 mirrored(const Matrix2& block) { return {block.a, -block.b, -block.c, block.d}; }
 
 RailElement rail_element(const BeamCoefficients& beam, double length_m) {

@@ -82,11 +82,11 @@ TEST(CombDistances, NoneBesidePadsThatLoadStiffens) {
     Trial plain, with_joints, loaded;
     with_joints.effects = {dips_every(25.0)};
     loaded.numbers.track.pads.preload_strength = 1.0;
-    EXPECT_FALSE(mistakes_sleepers(plain, dips_every(25.0)));
-    EXPECT_FALSE(mistakes_sleepers(plain, preload));
-    EXPECT_FALSE(mistakes_sleepers(loaded, preload));
-    EXPECT_TRUE(mistakes_sleepers(with_joints, preload));
-    EXPECT_TRUE(mistakes_sleepers(loaded, dips_every(25.0)));
+    EXPECT_FALSE(mistakes_distortion(plain, dips_every(25.0)));
+    EXPECT_FALSE(mistakes_distortion(plain, preload));
+    EXPECT_FALSE(mistakes_distortion(loaded, preload));
+    EXPECT_TRUE(mistakes_distortion(with_joints, preload));
+    EXPECT_TRUE(mistakes_distortion(loaded, dips_every(25.0)));
 }
 
 }  // namespace

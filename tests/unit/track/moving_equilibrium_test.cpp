@@ -31,10 +31,10 @@ TEST(PassingChange, IsCubicBetweenItsPointsAndNothingBeyond) {
     EXPECT_EQ(PassingChange{}.at(0.0), 0.0);
 }
 
-TEST(PassingChange, IsNothingWithoutMotionOrMemory) {
+TEST(PassingChange, IsNothingAtRestOrWhereLoadDoesNotMatter) {
     TrackParameters track = creeping_track();
     EXPECT_TRUE(passing_change(track, kWheels, kLoad_n, 0.0).change_n_per_m.empty());
-    track.pads.exponent = track.pads.damping_n_s_per_m = 0.0;
+    track.pads.preload_strength = 0.0;
     EXPECT_TRUE(passing_change(track, kWheels, kLoad_n, kSpeed).change_n_per_m.empty());
 }
 
