@@ -6,7 +6,6 @@
 #include <complex>
 
 #include "diagnosis/comb_relatives.hpp"
-#include "diagnosis/loaded_pads.hpp"
 #include "diagnosis/whitened_bin.hpp"
 #include "pem/excitation.hpp"
 #include "spectra/rail_joint_lines.hpp"
@@ -133,16 +132,6 @@ std::vector<CombDistance> comb_distances(const Fit& fit, const LikelihoodContext
     for (const CombDistance& own : found)
         if (apart.size() < most && std::none_of(apart.begin(), apart.end(), [&](const CombDistance& other) { return is_same(own, other); })) apart.push_back(own);
     return apart;
-}
-
-bool mistakes_distortion(const Trial& trial, const EffectInstance& added) {
-    Trial with = trial;
-    with.effects.push_back(added);
-    const auto has_comb = [](const EffectInstance& instance) {
-        const Effect& effect = *find_effect(instance.effect);
-        return std::any_of(effect.parameters.begin(), effect.parameters.end(), [](const EffectParameter& parameter) { return parameter.comb; });
-    };
-    return load_stiffens_pads(with) && std::any_of(with.effects.begin(), with.effects.end(), has_comb);
 }
 
 void add_combs(const Fit& fit, const LikelihoodContext& context, std::vector<Candidate>& candidates) {

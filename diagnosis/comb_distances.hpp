@@ -22,8 +22,4 @@ std::vector<CombDistance> comb_distances(const Fit& fit, const LikelihoodContext
 /// Gives every candidate whose effect has a distance (EffectParameter::comb) companions at the distances that the fit's misfit promises.
 void add_combs(const Fit& fit, const LikelihoodContext& context, std::vector<Candidate>& candidates);
 
-/// Whether joints and pads that load stiffens would stand beside each other with `added`: pads that load stiffens follow the load of every moment, and what that
-/// distorts (-35 dB between the wheels of a bogie at 33 m/s on a track of FRA class 6, gone at a tenth of the irregularity) is in no source of the model: a comb passes for it.
-bool mistakes_distortion(const Trial& trial, const EffectInstance& added);
-
 }  // namespace railpem::diagnosis

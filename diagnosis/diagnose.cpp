@@ -338,7 +338,7 @@ class Diagnosing {
         if (!result_.per_value) result_.rests_on.push_back("ratios between the channels, which do not care what the irregularity is");
         for (const RetunedNumber& number : result_.numbers)
             if (number.outside) result_.remains.push_back(number.key + " ends " + std::to_string(std::abs(number.tolerances_away)).substr(0, 4) + " tolerances away from what was believed");
-        const double missed = (result_.omitted.empty() ? study_.by_retuned : study_.by_named).nats;
+        const double missed = result_.omitted.empty() ? study_.by_retuned : study_.by_named;
         if (missed > options_.thresholds.residual)
             result_.remains.push_back(fmt::format("the unseen part repeats {:.0f} nats of what the fit misses, more than chance: something of the recordings has no name here", missed));
         if (!study_.at_named.empty() && study_.at_named.front().nats > options_.thresholds.residual)

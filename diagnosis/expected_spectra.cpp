@@ -157,7 +157,7 @@ std::vector<Complex> fine_responses(const pem::WheelTransfers& transfers, const 
         if (root == 0.0) continue;
         pem::interpolate(transfers, f, at.data());
         Complex e[4];
-        for (std::size_t j = 0; j < 4; ++j) e[j] = root * pem::delay_phase(wheels, j, f, speed);
+        for (std::size_t j = 0; j < 4; ++j) e[j] = root * source.share[j] * pem::delay_phase(wheels, j, f, speed);
         for (std::size_t c = 0; c < channels; ++c) {
             double re = 0.0, im = 0.0;  // plain products: no check for infinities in the inner loop
             for (std::size_t j = 0; j < 4; ++j) {
@@ -255,6 +255,7 @@ ExpectedSpectra expected_spectra(const pem::CaseParameters& parameters, double s
     const std::vector<double> wheels = vehicle::wheel_positions(parameters.vehicle);
     const FineGrid grid = fine_grid(kernel, expected.first_bin, bins, options.oversampling);
     pem::WheelTransfers own;
+    pem::PadTransfers pads;
     if (has_friction(parameters) && reuse == Reuse::transfers) reuse = Reuse::rail;  // its forces are no transfer
     if (reuse != Reuse::transfers) {
         pem::CoupledModel model = pem::coupled_model(parameters, speed);
@@ -275,7 +276,8 @@ ExpectedSpectra expected_spectra(const pem::CaseParameters& parameters, double s
             const TransferGrid lines = transfer_grid(parameters, grid, options);
             add_friction(parameters, {model, sources, level_rails, rails, lines.from_hz, lines.step_hz, lines.lines}, channels, bin, expected);
         }
-        if (filled) *filled = {std::move(rails), std::move(level_rails), own, pem::track_excitation(parameters, wheels, speed), model.car.friction};
+        pads = pem::pad_transfers(parameters, model, reuse == Reuse::rail && !known->pads.rail.empty() ? &known->pads : nullptr);
+        if (filled) *filled = {std::move(rails), std::move(level_rails), own, pem::track_excitation(parameters, wheels, speed), model.car.friction, pads};
     }
     // With the rail the track and its speed are those of the cache; pads that stiffen under load do not share it.
     const pem::TrackExcitation* track = filled ? &filled->track : reuse != Reuse::nothing ? &known->track : nullptr;
@@ -283,7 +285,9 @@ ExpectedSpectra expected_spectra(const pem::CaseParameters& parameters, double s
     const recordings::KernelWeights weights =
         options.weights.weights.empty() ? expectation_weights(kernel, options.oversampling) : options.weights;
     const pem::Excitation excitation = pem::excitation(parameters, wheels, speed, track);
-    for (const pem::DelayedSpectrum& source : excitation.broadband)
+    std::vector<pem::DelayedSpectrum> broadband = excitation.broadband;
+    for (pem::DelayedSpectrum& source : pem::pad_distortion(reuse == Reuse::transfers ? known->pads : pads, broadband, wheels, speed)) broadband.push_back(std::move(source));
+    for (const pem::DelayedSpectrum& source : broadband)
         add_smoothed(fine_responses(transfers, source, wheels, speed, grid), channels.size(), weights,
                      {.first = grid.first, .count = grid.count, .first_bin = expected.first_bin, .bins = bins}, expected.values);
     for (const pem::LineSet& set : excitation.lines) add_lines(parameters, transfers, set, kernel, expected);

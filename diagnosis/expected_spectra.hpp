@@ -7,6 +7,7 @@
 
 #include "pem/case_parameters.hpp"
 #include "pem/excitation.hpp"
+#include "pem/pad_distortion.hpp"
 #include "pem/wheel_transfers.hpp"
 #include "recordings/cross_spectra.hpp"
 
@@ -62,6 +63,7 @@ struct ExpectationCache {
     pem::WheelTransfers transfers;
     pem::TrackExcitation track;
     vehicle::FrictionDamping friction;               ///< as linearised: where the next linearisation starts
+    pem::PadTransfers pads;                          ///< of pads that load stiffens
 };
 
 /// What may be taken from the cache: nothing, the rail (track and speed are the same) or all transfers (only the

@@ -20,17 +20,8 @@ double nats_left(const FittedSet& set, double retuned_score, double least);
 /// linearised about the level leaves up to a quarter of what it explains (1 kN of friction in a primary suspension: 15 %).
 double misfit_left(const FittedSet& set, double retuned_score, double least);
 
-/// What a fit misses, and what of it may be the solution's own distance from marched records.
-struct Missed {
-    double nats = 0.0;  ///< of the misfit that the unseen part repeats: beyond four deviations of chance and beyond the solution's own
-    double room = 0.0;  ///< nats of the solution's own that a free correction may bring
-};
-
-/// Nats of the solution's own that a free correction may bring beside a trial.
-double room_beside(const Trial& trial, const LikelihoodContext& context);
-
-/// The solution's own, by judgement on six trials of three marched records each: 4 nats a second of nine channels and nothing for a free correction; 60 and
-/// 0.5 where load stiffens the pads, which stand on the tangent of their curve.
-Missed missed_by(const Fit& fit, const LikelihoodContext& context);
+/// Nats of misfit that the unseen part repeats, beyond four deviations of chance and beyond the solution's own distance from marched records: 4 a second of nine
+/// channels, by judgement on six trials of three such records each.
+double missed_by(const Fit& fit, const LikelihoodContext& context);
 
 }  // namespace railpem::diagnosis

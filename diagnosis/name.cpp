@@ -10,7 +10,6 @@
 
 #include "diagnosis/comb_distances.hpp"
 #include "diagnosis/from_afar.hpp"
-#include "diagnosis/loaded_pads.hpp"
 #include "diagnosis/model_error.hpp"
 #include "diagnosis/repeated_misfit.hpp"
 #include "diagnosis/set_trials.hpp"
@@ -46,8 +45,6 @@ class Search {
             result_.interrupted = true;
         }
         trials_.sort();
-        if (load_stiffens_pads(trials_.leading().fit.trial))
-            result_.not_tested.push_back({"rail-joints", "beside pads that load stiffens: they follow the load of every moment, and the distortion that this leaves passes for a comb of joints"});
     }
 
   private:
@@ -117,20 +114,17 @@ class Search {
 
     std::vector<Promise> screened(const Fit& fit) {
         add_combs(fit, context_, result_.candidates);
-        std::vector<Promise> promises = screen(fit, result_.candidates, context_);
-        std::erase_if(promises, [&](const Promise& promise) { return mistakes_distortion(fit.trial, result_.candidates[promise.candidate].instance); });
-        return promises;
+        return screen(fit, result_.candidates, context_);
     }
 
     /// Whether the unseen part shows again what the best set leaves.
     bool misses() {
-        return missed_by(trials_.leading().fit, context_).nats > options_.residual;
+        return missed_by(trials_.leading().fit, context_) > options_.residual;
     }
 
     /// Nats that may be left beside the best set.
     double bearable() const {
-        const double left = trials_.names() ? nats_left(trials_.leading(), result_.retuned.score(), options_.residual) : options_.residual;
-        return left + room_beside(trials_.leading().fit.trial, context_);
+        return trials_.names() ? nats_left(trials_.leading(), result_.retuned.score(), options_.residual) : options_.residual;
     }
 
     /// Nats that a free correction would still bring beside the best set.
@@ -245,11 +239,7 @@ class Search {
         std::vector<Candidate> firsts;
         for (const FittedSet* single : singles)
             if (static_cast<int>(firsts.size()) < kSwaps && single->score() > result_.retuned.score()) firsts.push_back(single->effects[0]);
-        for (const Candidate& first : firsts) {
-            Trial alone = result_.retuned.fit.trial;
-            alone.effects.push_back(first.instance);
-            if (!mistakes_distortion(alone, second.instance)) trials_.try_set(result_.retuned.fit, {first, second}, {}, share);
-        }
+        for (const Candidate& first : firsts) trials_.try_set(result_.retuned.fit, {first, second}, {}, share);
     }
 
     void say(const std::string& what, double share) const { trials_.say(what, share); }

@@ -102,14 +102,14 @@ Decision decide(const NamingResult& naming, const PlaceStudy& places, const Verd
     }
     const double residual_named = places.at_named.empty() ? 0.0 : places.at_named.front().nats;
     const double residual_retuned = places.at_retuned.empty() ? 0.0 : places.at_retuned.front().nats;
-    if (gains && decision.unknown_score < best->score() + thresholds.anonymous + places.by_named.room &&
-        residual_named < nats_left(*best, nothing, thresholds.residual) + places.by_named.room && !leans(*best) &&
-        places.by_named.nats <= misfit_left(*best, nothing, thresholds.residual))
+    if (gains && decision.unknown_score < best->score() + thresholds.anonymous &&
+        residual_named < nats_left(*best, nothing, thresholds.residual) && !leans(*best) &&
+        places.by_named <= misfit_left(*best, nothing, thresholds.residual))
         decision.verdict = decision.credible.size() > 1 ? Verdict::ambiguous : only_sensors(*best) ? Verdict::recording_fault : Verdict::explained;
     else if (gains)
         decision.verdict = Verdict::unexplained;
     else
-        decision.verdict = std::max(decision.unknown_score - nothing, residual_retuned) > thresholds.residual + places.by_retuned.room || places.by_retuned.nats > thresholds.residual
+        decision.verdict = std::max(decision.unknown_score - nothing, residual_retuned) > thresholds.residual || places.by_retuned > thresholds.residual
                                ? Verdict::unexplained
                                : Verdict::consistent;
     return decision;

@@ -11,8 +11,8 @@ struct PlaceStudy {
     std::vector<PlaceEvidence> at_retuned;  ///< ranked; what each would explain of what retuning leaves
     std::vector<PlaceEvidence> at_named;    ///< the same beside the named set: what is still missing
     std::vector<FittedSet> anonymous;       ///< fully fitted free corrections of the best places
-    Missed by_retuned;                      ///< what the retuned case misses
-    Missed by_named;                        ///< and what the best set does
+    double by_retuned = 0.0;                ///< nats that the retuned case misses: missed_by()
+    double by_named = 0.0;                  ///< and the best set
 };
 
 /// What the verdict is made of.

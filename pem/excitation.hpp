@@ -34,6 +34,7 @@ struct SpectralLine {
 struct DelayedSpectrum {
     std::string name;
     std::function<double(double frequency_hz)> psd_m2_per_hz;
+    std::array<double, 4> share{1.0, 1.0, 1.0, 1.0};  ///< of its amplitude under each wheel
 };
 
 /// A source made of lines, coherent among the wheels.

@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <numbers>
@@ -272,6 +273,17 @@ std::vector<Phasor> rolling_deflection(const TrackParameters& track, const std::
         for (std::size_t wheel = 0; wheel < wheels; ++wheel)
             result[static_cast<std::size_t>(m - 1) * wheels + wheel] *= std::polar(-step / (2.0 * std::numbers::pi * track.spacing_m), m * bay * wheels_m[wheel]);
     return result;
+}
+
+LoadedDeflection loaded_deflection(const TrackParameters& track, double wheel_load_n) {
+    constexpr double kShare = 0.1;  // of the load, either way
+    const double step = kShare * wheel_load_n;
+    std::array<double, 3> w;
+    for (int i = 0; i < 3; ++i) {
+        const PadHistory history = pad_history(track, {0.0}, wheel_load_n + (i - 1) * step, 0.0, true);
+        w[static_cast<std::size_t>(i)] = history.compression_m[history.compression_m.size() / 2];  // s = 0: the wheel over the pad
+    }
+    return {(w[2] - w[0]) / (2.0 * step), (w[2] - 2.0 * w[1] + w[0]) / (step * step)};
 }
 
 }  // namespace railpem::track

@@ -38,4 +38,13 @@ PadHistory pad_history(const TrackParameters& track, const std::vector<double>& 
 std::vector<std::complex<double>> rolling_deflection(const TrackParameters& track, const std::vector<double>& wheels_m, double speed_m_per_s,
                                                      const PadHistory& history, int orders);
 
+/// How the rail over the pad under one wheel that crawls answers to more load: w(P0 + F) = w(P0) + C·F + ½κF².
+struct LoadedDeflection {
+    double compliance_m_per_n = 0.0;   ///< C
+    double curvature_m_per_n2 = 0.0;   ///< κ, negative where load stiffens
+};
+
+/// `track.pads.preload_strength` > 0.
+LoadedDeflection loaded_deflection(const TrackParameters& track, double wheel_load_n);
+
 }  // namespace railpem::track

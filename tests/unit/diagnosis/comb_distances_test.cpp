@@ -76,18 +76,5 @@ TEST(CombDistances, CompanionsForCombsAlone) {
     EXPECT_EQ(list[before].instance.values.at("spacing_m"), list[before].probe.values.at("spacing_m"));
 }
 
-// Neither pads that load stiffens nor joints are suspicious by themselves.
-TEST(CombDistances, NoneBesidePadsThatLoadStiffens) {
-    const EffectInstance preload{.effect = "pad-preload-stiffening", .values = {{"strength", 0.5}}, .choices = {}};
-    Trial plain, with_joints, loaded;
-    with_joints.effects = {dips_every(25.0)};
-    loaded.numbers.track.pads.preload_strength = 1.0;
-    EXPECT_FALSE(mistakes_distortion(plain, dips_every(25.0)));
-    EXPECT_FALSE(mistakes_distortion(plain, preload));
-    EXPECT_FALSE(mistakes_distortion(loaded, preload));
-    EXPECT_TRUE(mistakes_distortion(with_joints, preload));
-    EXPECT_TRUE(mistakes_distortion(loaded, dips_every(25.0)));
-}
-
 }  // namespace
 }  // namespace railpem::diagnosis

@@ -111,21 +111,12 @@ TEST(Decide, WithholdsTheNameWhereMoreIsLeftThanChance) {
 
 TEST(Decide, WithholdsTheNameWhereTheUnseenRepeatsMisfit) {
     const NamingResult naming = naming_of({set_of({"rail-shear"}, {}, 1000.0, 100.0)}), linearised = naming_of({set_of({"suspension-friction"}, {}, 1000.0, 100.0)});
-    EXPECT_EQ(decide(naming, {.by_named = {.nats = 11.0}}, thresholds).verdict, Verdict::explained);
-    EXPECT_EQ(decide(naming, {.by_named = {.nats = 13.0}}, thresholds).verdict, Verdict::unexplained);
-    EXPECT_EQ(decide(linearised, {.by_named = {.nats = 240.0}}, thresholds).verdict, Verdict::explained);
-    EXPECT_EQ(decide(linearised, {.by_named = {.nats = 260.0}}, thresholds).verdict, Verdict::unexplained);
-    EXPECT_EQ(decide(naming_of({}), {.by_retuned = {.nats = 13.0}}, thresholds).verdict, Verdict::unexplained);
-    EXPECT_EQ(decide(naming_of({}), {.by_retuned = {.nats = 11.0}}, thresholds).verdict, Verdict::consistent);
-}
-
-TEST(Decide, LeavesFreeCorrectionsTheRoomOfTheSolution) {
-    const std::vector<PlaceEvidence> fifty{{.element = Element::pad, .probability = 0.0, .nats = 50.0}};
-    for (const auto& [room, verdict] : {std::pair(0.0, Verdict::unexplained), std::pair(37.0, Verdict::unexplained), std::pair(39.0, Verdict::consistent)})
-        EXPECT_EQ(decide(naming_of({}), {.at_retuned = fifty, .by_retuned = {.room = room}}, thresholds).verdict, verdict) << room;
-    const NamingResult naming = naming_of({set_of({"rail-shear"}, {}, 1000.0, 100.0)});
-    for (const auto& [room, verdict] : {std::pair(0.0, Verdict::unexplained), std::pair(39.0, Verdict::explained)})
-        EXPECT_EQ(decide(naming, {.at_named = fifty, .by_named = {.room = room}}, thresholds).verdict, verdict) << room;
+    EXPECT_EQ(decide(naming, {.by_named = 11.0}, thresholds).verdict, Verdict::explained);
+    EXPECT_EQ(decide(naming, {.by_named = 13.0}, thresholds).verdict, Verdict::unexplained);
+    EXPECT_EQ(decide(linearised, {.by_named = 240.0}, thresholds).verdict, Verdict::explained);
+    EXPECT_EQ(decide(linearised, {.by_named = 260.0}, thresholds).verdict, Verdict::unexplained);
+    EXPECT_EQ(decide(naming_of({}), {.by_retuned = 13.0}, thresholds).verdict, Verdict::unexplained);
+    EXPECT_EQ(decide(naming_of({}), {.by_retuned = 11.0}, thresholds).verdict, Verdict::consistent);
 }
 
 TEST(Places, ShareASetByWhatItsMembersBring) {
