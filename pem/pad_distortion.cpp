@@ -17,7 +17,7 @@ namespace railpem::pem {
 
 namespace {
 
-using Complex = std::complex<double>;
+using Phasor = std::complex<double>;
 
 constexpr double kStep_hz = 1.0;
 constexpr int kRailEvery = 2;
@@ -25,18 +25,18 @@ constexpr int kRailEvery = 2;
 /// At k·kStep_hz, k = 0 (nothing) on: two-sided spectra of the rail's displacement under wheels 1 and 2, m²/Hz, as each meets the track, the delay between
 /// them taken off.
 struct RailUnderBogie {
-    std::vector<Complex> leading{0.0}, trailing{0.0}, cross{0.0};
+    std::vector<Phasor> leading{0.0}, trailing{0.0}, cross{0.0};
 };
 
 RailUnderBogie rail_under_bogie(const PadTransfers& transfers, const std::vector<DelayedSpectrum>& broadband, const std::vector<double>& wheels_m, double speed) {
     RailUnderBogie under;
     for (std::size_t line = 0; line < transfers.rail.size(); ++line) {
         const double f = static_cast<double>(line + 1) * kStep_hz;
-        std::array<Complex, 4> delay;
+        std::array<Phasor, 4> delay;
         for (std::size_t j = 0; j < 4; ++j) delay[j] = delay_phase(wheels_m, j, f, speed);
-        Complex leading = 0.0, trailing = 0.0, cross = 0.0;
+        Phasor leading = 0.0, trailing = 0.0, cross = 0.0;
         for (const DelayedSpectrum& source : broadband) {
-            std::array<Complex, 2> y;
+            std::array<Phasor, 2> y;
             for (std::size_t wheel = 0; wheel < 2; ++wheel) {
                 for (std::size_t j = 0; j < 4; ++j) y[wheel] += transfers.rail[line][wheel * 4 + j] * source.share[j] * delay[j];
                 y[wheel] *= std::conj(delay[wheel]);
@@ -61,12 +61,12 @@ std::vector<double> difference_of_squares(const RailUnderBogie& under) {
     transform.SetFlag(Eigen::FFT<double>::HalfSpectrum);
     std::vector<double> sum(size, 0.0), correlation;
     for (const auto& [spectrum, weight] : {std::pair(&under.leading, 1.0), std::pair(&under.trailing, 1.0), std::pair(&under.cross, -2.0)}) {
-        std::vector<Complex> half(*spectrum);
+        std::vector<Phasor> half(*spectrum);
         half.resize(size / 2 + 1, 0.0);
         transform.inv(correlation, half);
         for (std::size_t i = 0; i < size; ++i) sum[i] += weight * correlation[i] * correlation[i];
     }
-    std::vector<Complex> half;
+    std::vector<Phasor> half;
     transform.fwd(half, sum);
     std::vector<double> result;
     for (std::size_t k = 0; k < under.cross.size(); ++k) result.push_back(std::max(0.0, half[k].real()) * static_cast<double>(size) * kStep_hz);
@@ -90,10 +90,10 @@ PadTransfers pad_transfers(const CaseParameters& parameters, const CoupledModel&
     const WheelTransfers rail = wheel_transfers(model, kStep_hz, kStep_hz, lines, {response_index("rail_1"), response_index("rail_2")}, 1, &transfers.rails);
     for (std::size_t line = 0; line < lines; ++line) {
         const double f = static_cast<double>(line + 1) * kStep_hz, omega = kTwoPi * f;
-        std::array<Complex, 8> displacement;
+        std::array<Phasor, 8> displacement;
         for (std::size_t i = 0; i < displacement.size(); ++i) displacement[i] = rail.at(line)[i] / (-omega * omega);
         transfers.rail.push_back(displacement);
-        const Complex receptance = transfers.rails[line / lanes::width].rail[0][0][static_cast<int>(line % lanes::width)];
+        const Phasor receptance = transfers.rails[line / lanes::width].rail[0][0][static_cast<int>(line % lanes::width)];
         transfers.response2.push_back(std::norm(transfers.force_per_m2 * receptance * track::pad_shape(parameters.track.pads, f)));
     }
     return transfers;

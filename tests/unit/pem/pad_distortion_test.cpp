@@ -9,7 +9,7 @@
 namespace railpem::pem {
 namespace {
 
-constexpr double kSpeed = 33.0;
+constexpr double kFastSpeed = 33.0;
 
 CaseParameters loaded(double strength) {
     CaseParameters c = tests::paper_case(1);
@@ -20,7 +20,7 @@ CaseParameters loaded(double strength) {
 
 std::vector<DelayedSpectrum> distortion_of(const CaseParameters& c) {
     const std::vector<double> wheels = vehicle::wheel_positions(c.vehicle);
-    return pad_distortion(pad_transfers(c, coupled_model(c, kSpeed)), excitation(c, wheels, kSpeed).broadband, wheels, kSpeed);
+    return pad_distortion(pad_transfers(c, coupled_model(c, kFastSpeed)), excitation(c, wheels, kFastSpeed).broadband, wheels, kFastSpeed);
 }
 
 TEST(PadDistortion, NoneWhereLoadDoesNotMatter) { EXPECT_TRUE(distortion_of(loaded(0.0)).empty()); }

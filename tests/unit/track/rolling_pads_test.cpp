@@ -16,8 +16,6 @@
 namespace railpem::track {
 namespace {
 
-const std::vector<double> kWheels{10.2, 7.8, -7.8, -10.2};
-constexpr double kLoad_n = 80e3;
 
 /// Between the points of a history: all harmonics that it holds.
 double compression_at(const PadHistory& history, double s) {
@@ -39,12 +37,12 @@ TEST(PadHistory, AtRestIsTheEquilibriumOfTheTrack) {
     track.pads.preload_strength = 1.0;
     for (const bool layered : {false, true}) {
         if (layered) track.support = {.model = SupportModel::two_layer, .mass_kg = 150.0, .stiffness_n_per_m = 60e6};
-        const PadHistory history = pad_history(track, kWheels, kLoad_n, 0.0, true);
-        TrackParameters passing = passing_track(track, kLoad_n);
+        const PadHistory history = pad_history(track, wei2016_wheels_m, wei2016_wheel_load_n, 0.0, true);
+        TrackParameters passing = passing_track(track, wei2016_wheel_load_n);
         for (const double offset : {0.0, 0.17, 0.3}) {
             passing.wheel_offset_m = offset;
-            const std::vector<double> pads = pad_positions(passing, kWheels, 0);
-            const StaticEquilibrium equilibrium = static_equilibrium(passing, kWheels, kLoad_n, pads);
+            const std::vector<double> pads = pad_positions(passing, wei2016_wheels_m, 0);
+            const StaticEquilibrium equilibrium = static_equilibrium(passing, wei2016_wheels_m, wei2016_wheel_load_n, pads);
             double most = 0.0, wrong = 0.0;
             for (std::size_t j = 0; j < pads.size(); ++j) {
                 const double expected = equilibrium.compression_m[j] - equilibrium.unloaded_compression_m;
@@ -63,20 +61,20 @@ TEST(RollingDeflection, OfCrawlingWheelsIsThatOfStandingOnes) {
     constexpr int kPlaces = 24;
     TrackParameters track = wei2016_track();
     track.pads.preload_strength = track.pads.exponent = track.pads.damping_n_s_per_m = 0.0;
-    const std::vector<std::complex<double>> rolling = rolling_deflection(track, kWheels, kSpeed, pad_history(track, kWheels, kLoad_n, kSpeed), 3);
+    const std::vector<std::complex<double>> rolling = rolling_deflection(track, wei2016_wheels_m, kSpeed, pad_history(track, wei2016_wheels_m, wei2016_wheel_load_n, kSpeed), 3);
     for (int m = 1; m <= 3; ++m) {
-        std::vector<std::complex<double>> expected(kWheels.size());
+        std::vector<std::complex<double>> expected(wei2016_wheels_m.size());
         for (int place = 0; place < kPlaces; ++place) {
             track.wheel_offset_m = track.spacing_m * place / kPlaces;
-            const ExactRail rail = exact_rail(track, kWheels, load_independent_pads(track, pad_positions(track, kWheels, 0)));
+            const ExactRail rail = exact_rail(track, wei2016_wheels_m, load_independent_pads(track, pad_positions(track, wei2016_wheels_m, 0)));
             ExactRailWorkspace workspace(rail);
             const RailReceptance& receptance = rail_receptance(rail, lanes::broadcast(2.0 * std::numbers::pi * m), workspace);
-            for (std::size_t i = 0; i < kWheels.size(); ++i)
-                for (std::size_t j = 0; j < kWheels.size(); ++j)
-                    expected[i] += kLoad_n / kPlaces * receptance.at(static_cast<int>(i), static_cast<int>(j))[0] * std::polar(1.0, -2.0 * std::numbers::pi * m * place / kPlaces);
+            for (std::size_t i = 0; i < wei2016_wheels_m.size(); ++i)
+                for (std::size_t j = 0; j < wei2016_wheels_m.size(); ++j)
+                    expected[i] += wei2016_wheel_load_n / kPlaces * receptance.at(static_cast<int>(i), static_cast<int>(j))[0] * std::polar(1.0, -2.0 * std::numbers::pi * m * place / kPlaces);
         }
-        for (std::size_t i = 0; i < kWheels.size(); ++i)
-            EXPECT_NEAR(std::abs(rolling[static_cast<std::size_t>(m - 1) * kWheels.size() + i] - expected[i]), 0.0, 0.01 * std::abs(expected[i])) << m << ", " << i;
+        for (std::size_t i = 0; i < wei2016_wheels_m.size(); ++i)
+            EXPECT_NEAR(std::abs(rolling[static_cast<std::size_t>(m - 1) * wei2016_wheels_m.size() + i] - expected[i]), 0.0, 0.01 * std::abs(expected[i])) << m << ", " << i;
     }
 }
 
@@ -85,7 +83,7 @@ TEST(RollingDeflection, OfCrawlingWheelsIsThatOfStandingOnes) {
 TEST(RollingDeflection, LoadThatStiffensPadsIsNoFactorOfTwo) {
     TrackParameters track = wei2016_track();
     track.pads.preload_strength = 0.0;
-    const auto size = [&] { return std::abs(rolling_deflection(track, kWheels, 22.0, pad_history(track, kWheels, kLoad_n, 22.0), 1)[0]); };
+    const auto size = [&] { return std::abs(rolling_deflection(track, wei2016_wheels_m, 22.0, pad_history(track, wei2016_wheels_m, wei2016_wheel_load_n, 22.0), 1)[0]); };
     const double plain = size();
     track.pads.preload_strength = 1e-6;
     EXPECT_NEAR(size() / plain, 1.0, 1e-5);
