@@ -171,6 +171,17 @@ std::vector<Complex> fine_responses(const pem::WheelTransfers& transfers, const 
     return y;
 }
 
+/// Adds a source so faint that its kernel does not count: what a window's leakage and delays change of it is some per cent of tens of dB below.
+void add_as_it_is(const pem::WheelTransfers& transfers, const pem::DelayedSpectrum& source, const std::vector<double>& wheels, double speed, double bin_hz,
+                  ExpectedSpectra& expected) {
+    const std::size_t bins = expected.bins(), channels = expected.channels;
+    const std::vector<Complex> y = fine_responses(transfers, source, wheels, speed, {bin_hz, expected.first_bin, bins});
+    for (std::size_t b = 0; b < bins; ++b)
+        for (std::size_t j = 0; j < channels; ++j)
+            for (std::size_t i = 0; i < channels; ++i)
+                expected.values[(b * channels + j) * channels + i] += y[i * bins + b] * std::conj(y[j * bins + b]);
+}
+
 /// Adds the lines of a set: each a Gaussian of the speed's fluctuation, smoothed by the kernel (five-point
 /// Gauss–Hermite rule).
 void add_lines(const pem::CaseParameters& parameters, const pem::WheelTransfers& transfers, const pem::LineSet& set,
@@ -285,11 +296,11 @@ ExpectedSpectra expected_spectra(const pem::CaseParameters& parameters, double s
     const recordings::KernelWeights weights =
         options.weights.weights.empty() ? expectation_weights(kernel, options.oversampling) : options.weights;
     const pem::Excitation excitation = pem::excitation(parameters, wheels, speed, track);
-    std::vector<pem::DelayedSpectrum> broadband = excitation.broadband;
-    for (pem::DelayedSpectrum& source : pem::pad_distortion(reuse == Reuse::transfers ? known->pads : pads, broadband, wheels, speed)) broadband.push_back(std::move(source));
-    for (const pem::DelayedSpectrum& source : broadband)
+    for (const pem::DelayedSpectrum& source : excitation.broadband)
         add_smoothed(fine_responses(transfers, source, wheels, speed, grid), channels.size(), weights,
                      {.first = grid.first, .count = grid.count, .first_bin = expected.first_bin, .bins = bins}, expected.values);
+    for (const pem::DelayedSpectrum& source : pem::pad_distortion(reuse == Reuse::transfers ? known->pads : pads, excitation.broadband, wheels, speed))
+        add_as_it_is(transfers, source, wheels, speed, bin, expected);
     for (const pem::LineSet& set : excitation.lines) add_lines(parameters, transfers, set, kernel, expected);
     add_sensor_noise(parameters, channels, bin, expected);
     for (std::size_t b = 0; b < bins; ++b)
