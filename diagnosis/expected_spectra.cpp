@@ -9,6 +9,7 @@
 
 #include "diagnosis/friction_spectra.hpp"
 #include "diagnosis/kernel_smoothing.hpp"
+#include "diagnosis/source_spectra.hpp"
 #include "pem/excitation.hpp"
 #include "pem/linearise.hpp"
 #include "pem/sensor_chain.hpp"
@@ -16,10 +17,6 @@
 #include "pem/wheel_transfers.hpp"
 
 namespace railpem::diagnosis {
-
-namespace {
-constexpr int kReachBins = 6;  ///< of the kernel; a Hann window leaves 5e-8 outside
-}
 
 recordings::KernelWeights expectation_weights(const recordings::WindowKernel& kernel, int oversampling) {
     return recordings::kernel_weights(kernel, oversampling, kReachBins);
@@ -48,13 +45,6 @@ std::string response_of(const recordings::ChannelDescription& channel, const pem
     }
     return {};
 }
-
-/// The fine grid that the kernel needs around the asked bins.
-struct FineGrid {
-    double step_hz;
-    std::size_t first, count;  ///< indices from frequency 0
-    double frequency(std::size_t i) const { return static_cast<double>(first + i) * step_hz; }
-};
 
 FineGrid fine_grid(const recordings::WindowKernel& kernel, std::size_t first_bin, std::size_t bins, int oversampling) {
     const std::size_t reach = static_cast<std::size_t>(kReachBins * oversampling);
@@ -123,112 +113,10 @@ pem::WheelTransfers channel_transfers(const pem::CaseParameters& parameters, con
     return transfers;
 }
 
-/// Power of a source at a fine line: at the line itself, or the mean over its cell where a band of the irregularity begins
-/// or ends in it. Paired bands may differ 16-fold at their edge; without this the expectation would jump whenever a change
-/// of speed carries the edge over a line, by tens of nats, and no fit could pass.
-double power_at_line(const pem::DelayedSpectrum& source, double frequency, double step, double at_low, double at_high) {
-    constexpr double kSuspicious = 1.2;  ///< ratio over a cell that deserves a look
-    constexpr double kJump = 1.01;       ///< ratio over next to nothing that no smooth spectrum has
-    const auto differ = [](double a, double b, double ratio) { return std::max(a, b) > ratio * std::min(a, b); };
-    const double centre = source.psd_m2_per_hz(frequency);
-    if (!differ(at_low, at_high, kSuspicious)) return centre;
-    double low = frequency - 0.5 * step, high = frequency + 0.5 * step, below = at_low, above = at_high;
-    for (int i = 0; i < 50; ++i) {
-        const double middle = 0.5 * (low + high), own = source.psd_m2_per_hz(middle);
-        const bool upper = std::abs(std::log((own + 1e-300) / (below + 1e-300))) < std::abs(std::log((own + 1e-300) / (above + 1e-300)));
-        (upper ? low : high) = middle;
-        (upper ? below : above) = own;
-    }
-    if (!differ(below, above, kJump)) return centre;
-    const double share = (low - frequency) / step + 0.5;  // of the cell, below the edge
-    return share * 0.5 * (at_low + below) + (1.0 - share) * 0.5 * (above + at_high);
-}
-
-/// Pseudo-responses of one broadband source on the fine grid: [channel][fine line].
-std::vector<Complex> fine_responses(const pem::WheelTransfers& transfers, const pem::DelayedSpectrum& source,
-                                    const std::vector<double>& wheels, double speed, const FineGrid& grid) {
-    const std::size_t channels = transfers.responses.size();
-    std::vector<Complex> y(channels * grid.count), at(channels * 4);
-    double at_low = source.psd_m2_per_hz(grid.frequency(0) - 0.5 * grid.step_hz);
-    for (std::size_t i = 0; i < grid.count; ++i) {
-        const double f = grid.frequency(i), at_high = source.psd_m2_per_hz(f + 0.5 * grid.step_hz);
-        const double root = std::sqrt(power_at_line(source, f, grid.step_hz, at_low, at_high));
-        at_low = at_high;
-        if (root == 0.0) continue;
-        pem::interpolate(transfers, f, at.data());
-        Complex e[4];
-        for (std::size_t j = 0; j < 4; ++j) e[j] = root * source.share[j] * pem::delay_phase(wheels, j, f, speed);
-        for (std::size_t c = 0; c < channels; ++c) {
-            double re = 0.0, im = 0.0;  // plain products: no check for infinities in the inner loop
-            for (std::size_t j = 0; j < 4; ++j) {
-                const Complex t = at[c * 4 + j];
-                re += t.real() * e[j].real() - t.imag() * e[j].imag();
-                im += t.real() * e[j].imag() + t.imag() * e[j].real();
-            }
-            y[c * grid.count + i] = {re, im};
-        }
-    }
-    return y;
-}
-
-/// Adds a source so faint that its kernel does not count: what a window's leakage and delays change of it is some per cent of tens of dB below.
-void add_as_it_is(const pem::WheelTransfers& transfers, const pem::DelayedSpectrum& source, const std::vector<double>& wheels, double speed, double bin_hz,
-                  ExpectedSpectra& expected) {
-    const std::size_t bins = expected.bins(), channels = expected.channels;
-    const std::vector<Complex> y = fine_responses(transfers, source, wheels, speed, {bin_hz, expected.first_bin, bins});
-    for (std::size_t b = 0; b < bins; ++b)
-        for (std::size_t j = 0; j < channels; ++j)
-            for (std::size_t i = 0; i < channels; ++i)
-                expected.values[(b * channels + j) * channels + i] += y[i * bins + b] * std::conj(y[j * bins + b]);
-}
-
-/// Adds the lines of a set: each a Gaussian of the speed's fluctuation, smoothed by the kernel (five-point
-/// Gauss–Hermite rule).
-void add_lines(const pem::CaseParameters& parameters, const pem::WheelTransfers& transfers, const pem::LineSet& set,
-               const recordings::WindowKernel& kernel, ExpectedSpectra& expected) {
-    constexpr double kNodes[5] = {-2.8569700138728, -1.3556261799742, 0.0, 1.3556261799742, 2.8569700138728};
-    constexpr double kWeights[5] = {0.0112574113277, 0.2220759220056, 0.5333333333333, 0.2220759220056,
-                                    0.0112574113277};
-    const double bin = kernel.bin_hz();
-    const std::size_t size = expected.channels;
-    std::vector<Complex> at(size * 4);
-    for (const pem::SpectralLine& line : set.lines) {
-        const double first = static_cast<double>(expected.first_bin) * bin;
-        const double last = static_cast<double>(expected.first_bin + expected.bins()) * bin;
-        const double deviation = parameters.running.speed_fluctuation * line.frequency_hz;
-        const double reach = kReachBins * bin + 3.0 * deviation;
-        if (line.frequency_hz < first - reach || line.frequency_hz > last + reach) continue;
-        pem::interpolate(transfers, line.frequency_hz, at.data());
-        Eigen::VectorXcd response = Eigen::VectorXcd::Zero(static_cast<long>(size));
-        for (std::size_t c = 0; c < size; ++c)
-            for (std::size_t j = 0; j < 4; ++j) response(static_cast<long>(c)) += at[c * 4 + j] * line.amplitude_m[j];
-        const Eigen::MatrixXcd power = 0.5 * response * response.adjoint();
-        for (std::size_t b = 0; b < expected.bins(); ++b) {
-            const double distance = static_cast<double>(expected.first_bin + b) * bin - line.frequency_hz;
-            if (std::abs(distance) > reach) continue;
-            double density = 0.0;
-            for (int k = 0; k < 5; ++k) density += kWeights[k] * kernel(distance - kNodes[k] * deviation);
-            expected.matrix(b) += density * power;
-        }
-    }
-}
-
 /// Where a similar case's friction settled, linearising begins.
 void start_near(const vehicle::FrictionDamping& known, const pem::CaseParameters& parameters, pem::CoupledModel& model) {
     if (parameters.vehicle.primary.friction_force_n > 0.0) model.car.friction.primary = known.primary;
     if (parameters.vehicle.secondary.friction_force_n > 0.0) model.car.friction.secondary = known.secondary;
-}
-
-/// Noise that the case says its sensors add.
-void add_sensor_noise(const pem::CaseParameters& parameters, const std::vector<ObservedChannel>& channels, double bin_hz,
-                      ExpectedSpectra& expected) {
-    for (const pem::SensorParameters& sensor : parameters.sensors)
-        for (std::size_t c = 0; c < channels.size() && sensor.noise_rms_m_per_s2 > 0.0; ++c) {
-            if (pem::measured_response(sensor.channel) != pem::response_names()[channels[c].response].where) continue;
-            for (std::size_t b = 0; b < expected.bins(); ++b)
-                expected.matrix(b)(static_cast<long>(c), static_cast<long>(c)) +=
-                    pem::sensor_noise_psd(sensor, static_cast<double>(expected.first_bin + b) * bin_hz);
-        }
 }
 
 }  // namespace

@@ -1,0 +1,36 @@
+#pragma once
+// What each kind of source gives to the expected spectra, from transfers that are known.
+
+#include <complex>
+#include <vector>
+
+#include "diagnosis/expected_spectra.hpp"
+
+namespace railpem::diagnosis {
+
+inline constexpr int kReachBins = 6;  ///< of the kernel; a Hann window leaves 5e-8 outside
+
+/// Uniform frequencies.
+struct FineGrid {
+    double step_hz;
+    std::size_t first, count;  ///< indices from frequency 0
+    double frequency(std::size_t i) const { return static_cast<double>(first + i) * step_hz; }
+};
+
+/// Pseudo-responses of one broadband source on the fine grid: [channel][fine line]. Where a band of the irregularity begins or ends between two lines, the mean power
+/// over the cell.
+std::vector<std::complex<double>> fine_responses(const pem::WheelTransfers& transfers, const pem::DelayedSpectrum& source,
+                                                 const std::vector<double>& wheels_m, double speed_m_per_s, const FineGrid& grid);
+
+/// Adds a source so faint that its kernel does not count: what a window's leakage and delays change of it is some per cent of tens of dB below.
+void add_as_it_is(const pem::WheelTransfers& transfers, const pem::DelayedSpectrum& source, const std::vector<double>& wheels_m, double speed_m_per_s,
+                  double bin_hz, ExpectedSpectra& expected);
+
+/// Adds the lines of a set: each a Gaussian of the speed's fluctuation, smoothed by the kernel (five-point Gauss–Hermite rule).
+void add_lines(const pem::CaseParameters& parameters, const pem::WheelTransfers& transfers, const pem::LineSet& set,
+               const recordings::WindowKernel& kernel, ExpectedSpectra& expected);
+
+/// Adds the noise that the case says its sensors add.
+void add_sensor_noise(const pem::CaseParameters& parameters, const std::vector<ObservedChannel>& channels, double bin_hz, ExpectedSpectra& expected);
+
+}  // namespace railpem::diagnosis
