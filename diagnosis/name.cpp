@@ -12,6 +12,7 @@
 #include "diagnosis/from_afar.hpp"
 #include "diagnosis/model_error.hpp"
 #include "diagnosis/repeated_misfit.hpp"
+#include "diagnosis/scalar_likelihood.hpp"
 #include "diagnosis/set_trials.hpp"
 #include "diagnosis/worth_refitting.hpp"
 
@@ -31,6 +32,15 @@ constexpr std::size_t kSharpened = 3;  ///< of the effects fitted from afar: tho
 /// derivative sees wherever the fit stands.
 bool is_numbered(const Effect& effect) {
     return std::any_of(effect.choices.begin(), effect.choices.end(), [](const EffectChoice& choice) { return choice.whole_number; });
+}
+
+/// Length of the unseen part by that of the fitted one: in seconds, or in values where there are only those.
+double unseen_share(const std::vector<Observation>& observations) {
+    double fitted = 0.0, unseen = 0.0;
+    for (const Observation& observation : observations) fitted += observation.fitted.seconds, unseen += observation.held_out.seconds;
+    if (fitted > 0.0) return unseen / fitted;
+    const auto values = static_cast<double>(scalar_count(observations, Part::fitted));
+    return values > 0.0 ? static_cast<double>(scalar_count(observations, Part::held_out)) / values : 0.0;
 }
 
 class Search {
@@ -257,6 +267,7 @@ class Search {
 
 NamingResult name_physics(const BelievedCase& believed, const LikelihoodContext& context, const NamingOptions& options) {
     NamingResult result;
+    result.unseen_share = unseen_share(*context.observations);
     Search(believed, context, options, result).run();
     return result;
 }

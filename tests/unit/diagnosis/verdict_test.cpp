@@ -119,6 +119,21 @@ TEST(Decide, WithholdsTheNameWhereTheUnseenRepeatsMisfit) {
     EXPECT_EQ(decide(naming_of({}), {.by_retuned = 11.0}, thresholds).verdict, Verdict::consistent);
 }
 
+// A third of the record is unseen: of 60 nats 20 are expected there, with a deviation of 6. A marched null had 59 and 4.5.
+TEST(Decide, NamesNothingThatTheUnseenDoesNotRepeat) {
+    const auto verdict_of = [](double gain, double repeated) {
+        NamingResult naming = naming_of({set_of({"rail-shear"}, {}, 50.0, repeated)});
+        naming.sets.front().fit.log_likelihood = gain;
+        naming.unseen_share = 1.0 / 3.0;
+        return decide(naming, {}, thresholds).verdict;
+    };
+    EXPECT_EQ(verdict_of(60.0, 4.5), Verdict::consistent);
+    EXPECT_EQ(verdict_of(60.0, 12.0), Verdict::explained);
+    EXPECT_EQ(verdict_of(12.0, 0.5), Verdict::explained) << "within chance";
+    EXPECT_EQ(verdict_of(12000.0, 2000.0), Verdict::explained) << "an approximate law repeats half of what it promised";
+    EXPECT_EQ(verdict_of(12000.0, 1000.0), Verdict::consistent);
+}
+
 TEST(Places, ShareASetByWhatItsMembersBring) {
     const NamingResult naming = naming_of({set_of({"sensor-gain", "rail-shear"}, {}, 1000.0, 10.0), set_of({"rail-shear"}, {}, 900.0, 10.0), set_of({"sensor-gain"}, {}, 20.0, 10.0)});
     Decision decision;
