@@ -41,8 +41,8 @@ bool unseen_disagrees(const FittedSet& smaller, const FittedSet& larger, double 
     const bool only_released = larger.effects.size() == smaller.effects.size();
     const double repeated = larger.held_out - smaller.held_out;
     const double expected = unseen_share * std::max(0.0, larger.fit.log_likelihood - smaller.fit.log_likelihood);
-    return repeated < -(only_released ? kHeldOutChance : 0.0) ||
-           repeated < std::min(kRepeated * expected, expected - kRepeatDeviations * std::sqrt(2.0 * expected));
+    const double least = std::max(0.0, std::min(kRepeated * expected, expected - kRepeatDeviations * std::sqrt(2.0 * expected)));
+    return repeated < least - (only_released ? kHeldOutChance : 0.0);
 }
 
 constexpr double kLeaning = 2.0;  ///< nats that a set may gain beyond the range of its physics by chance: two deviations
