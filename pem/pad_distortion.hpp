@@ -27,7 +27,7 @@ PadTransfers pad_transfers(const CaseParameters& parameters, const CoupledModel&
 ///   S_dd,ij(f) = |½(κ/C³)·R·g|²·2·∫ S_ij(f − g)·S_ij(g) dg
 /// (covariance of two squares, Isserlis 1918). What is alike under all wheels cannot be told from irregularity and is left out; what is not is the difference between the
 /// leading and the trailing wheel of a bogie, the same in both bogies: one source with the shares (1, −1, 1, −1) and a quarter of the power of d_1 − d_2. Tens of dB below the
-/// linear response (paper's track, preload strength 1, FRA class 6, 33 m/s: -38 dB at the axle boxes), it decides what their coherence says. R is that of the wheel's own point, κ and C are those at rest frequency
+/// linear response, it decides what their coherence says (NullRecord.PadsThatStiffenUnderLoadDistort: whitened trace 1.47 without it). R is that of the wheel's own point, κ and C are those at rest frequency
 /// over a pad; third order is left out. Empty for empty transfers.
 std::vector<DelayedSpectrum> pad_distortion(const PadTransfers& transfers, const std::vector<DelayedSpectrum>& broadband, const std::vector<double>& wheels_m,
                                             double speed_m_per_s);

@@ -9,9 +9,9 @@
 
 namespace railpem::pem {
 
-/// Lines at m·v/(n·spacing), n = 1 or the period of failed fasteners: the deflection of the rail under the standing wheel
-/// loads, r(x) = −P0·Σ_j C_ij(x), is periodic along the track and acts like an irregularity. C is the receptance with the
-/// wheels shifted by x, taken at the frequency of the line, so that damping and inertia of the track count as they do there
+/// Lines at m·v/(n·spacing), n = 1 or the period of failed fasteners: the deflection of the rail under the wheel loads is periodic along the track and acts like an
+/// irregularity. On sound fasteners it is that under rolling wheels (track::rolling_deflection()). Where some have failed it is that under
+/// standing loads, r(x) = −P0·Σ_j C_ij(x). C is the receptance with the wheels shifted by x, taken at the frequency of the line, so that damping and inertia of the track count as they do there
 /// (a static compliance is 5 % lower at 37 Hz on the paper's track). Scaled by sleeper_passing.amplitude_factor for the
 /// lines of the intact bays; lines that only the failed fasteners cause are always in. Empty when there is nothing to feel.
 std::vector<SpectralLine> passing_lines(const CaseParameters& parameters, const std::vector<double>& wheels_m, double speed_m_per_s);

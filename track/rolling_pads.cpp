@@ -124,8 +124,9 @@ Equation equation_of(const TrackParameters& track, const std::vector<double>& wh
 /// E beyond the force at rest, without its linear part.
 class ElasticLaw {
   public:
-    ElasticLaw(const TrackParameters& track, double wheel_load_n) : curve_(pad_curve(passing_track(track, wheel_load_n).pads)) {
+    ElasticLaw(const TrackParameters& track, double wheel_load_n) {
         const TrackParameters passing = passing_track(track, wheel_load_n);
+        curve_ = pad_curve(passing.pads);
         rest_m_ = unloaded_seat(seat_law(passing), rest_load_n(passing)).compression_m;
         rest_n_ = pad_force(curve_, rest_m_);
         // No pad carries more than the rest and one wheel: the mean of the softest and the stiffest tangent.

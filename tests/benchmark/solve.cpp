@@ -138,15 +138,16 @@ void case_3_every_track_effect(benchmark::State& state) {
 }
 BENCHMARK(case_3_every_track_effect)->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
 
-/// The lines of sleeper passing of case 1; with regular failures in case 3.
+/// The lines of sleeper passing of case 1; with regular failures in case 3; of case 1 with pads that load stiffens.
 void passing_lines(benchmark::State& state) {
     pem::CaseParameters c = tests::paper_case(1);
     c.sleeper_passing.amplitude_factor = 1.0;
-    if (state.range(0) != 0) c = every_effect_of_track_and_surface();
+    if (state.range(0) == 1) c = every_effect_of_track_and_surface();
+    if (state.range(0) == 2) c.track.pads.preload_strength = 1.0;
     const std::vector<double> wheels = vehicle::wheel_positions(c.vehicle);
     for (auto _ : state) benchmark::DoNotOptimize(pem::passing_lines(c, wheels, 22.2222));
 }
-BENCHMARK(passing_lines)->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
+BENCHMARK(passing_lines)->Arg(0)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond);
 
 /// What the diagnosis evaluates: the transfers of 350 lines, wheels at rest or in motion; model included.
 void wheel_transfers_350(benchmark::State& state) {

@@ -6,11 +6,13 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <limits>
 #include <numbers>
 #include <random>
 
 #include "diagnosis/fitted_set.hpp"
 #include "diagnosis/interval.hpp"
+#include "parameters/parameter_error.hpp"
 #include "tests/unit/diagnosis/synthesised_fixture.hpp"
 
 namespace railpem::diagnosis {
@@ -26,6 +28,19 @@ std::vector<Unknown> unknowns_of(const Synthesised& made) {
     std::vector<Unknown> unknowns = nuisance_unknowns(made.believed, made.observations);
     std::erase_if(unknowns, [](const Unknown& unknown) { return unknown.kind == UnknownKind::floor || unknown.name == "speed fluctuation"; });
     return unknowns;
+}
+
+// Blunted or not: it once read predictions that were not there.
+TEST(Fit, FromAStartThatPhysicsForbidsIsNone) {
+    Synthesised made = small();
+    made.draw(3);
+    std::vector<Unknown> unknowns = unknowns_of(made);
+    unknowns.push_back({.kind = UnknownKind::number, .name = "never", .set = [](Trial&, double) { throw parameters::ParameterError("never", "is impossible", "nothing"); }});
+    for (const bool from_far : {false, true}) {
+        const Fit found = fit(believed_trial(made.believed, made.observations), unknowns, means(unknowns), made.context(), {.from_far = from_far});
+        EXPECT_EQ(found.log_evidence, -std::numeric_limits<double>::infinity());
+        EXPECT_EQ(part_log_likelihood(found, made.context(), Part::fitted), -std::numeric_limits<double>::infinity());
+    }
 }
 
 TEST(Fit, ParametersOfANullComeBack) {

@@ -43,12 +43,5 @@ TEST(PadDistortion, GrowsWithTheStrength) {
     EXPECT_NEAR(twice / weak, 4.0, 0.1);
 }
 
-// The wheels of a bogie part; what all have in common is left to the irregularity.
-TEST(PadDistortion, PullsTheWheelsOfABogieApart) {
-    const std::vector<DelayedSpectrum> sources = distortion_of(loaded(1.0));
-    ASSERT_EQ(sources.size(), 1u);
-    EXPECT_EQ(sources[0].share, (std::array{1.0, -1.0, 1.0, -1.0}));
-}
-
 }  // namespace
 }  // namespace railpem::pem
