@@ -164,6 +164,34 @@ End climb(const Trial& base, const std::vector<Unknown>& unknowns, const Likelih
     return End::tired;
 }
 
+/// The unknowns of a blunt stage. Lines at which sleepers pass stay as they are: as long as a speed is off by the width of one, the nearest top has
+/// them drowned or smeared over the band, and no later step finds them again.
+std::vector<Unknown> with_lines_held(std::vector<Unknown> unknowns, const std::vector<double>& values) {
+    for (std::size_t i = 0; i < unknowns.size(); ++i)
+        if (unknowns[i].kind == UnknownKind::passing || unknowns[i].kind == UnknownKind::width) unknowns[i].low = unknowns[i].high = values[i];
+    return unknowns;
+}
+
+/// The most probable of all widths of lines, tried a factor e apart and then in halved steps about the best: the derivative at lines narrower than a bin
+/// says nothing of wide ones, and the other way round.
+void choose_width(const Trial& base, const std::vector<Unknown>& unknowns, const LikelihoodContext& context, State& state) {
+    for (std::size_t u = 0; u < unknowns.size(); ++u) {
+        if (unknowns[u].kind != UnknownKind::width) continue;
+        const auto try_width = [&](double width) {
+            std::vector<double> values = state.values;
+            values[u] = std::clamp(width, unknowns[u].low, unknowns[u].high);
+            State next = state_at(base, unknowns, std::move(values), context);
+            if (next.log_posterior > state.log_posterior) state = std::move(next);
+        };
+        for (double width = unknowns[u].low; width <= unknowns[u].high; width += 1.0) try_width(width);
+        for (const double step : {0.5, 0.25}) {
+            const double best = state.values[u];
+            try_width(best - step);
+            try_width(best + step);
+        }
+    }
+}
+
 /// What the rival reaches where the likelihood is blunt. Its noise and floor are those of the sharp likelihood: seen too low rather than too high.
 double blunt_posterior(const Fit& rival, const LikelihoodContext& stage) {
     return log_likelihood(rival.trial, rival.predictions, stage) + log_belief(rival.unknowns, rival.values);
@@ -206,21 +234,27 @@ Fit fit(const Trial& base, std::vector<Unknown> unknowns, std::vector<double> st
     };
     constexpr double kNobody = -1e300;
     End end = End::top;
-    if (options.from_far)  // blunted by 10 % there is one broad maximum; each stage brings the next within reach
-        for (const double floor : options.stages) {
+    if (options.from_far) {  // blunted by 10 % there is one broad maximum; each stage brings the next within reach
+        const std::vector<Unknown> held = with_lines_held(unknowns, values);
+        std::vector<double> floors = options.stages;
+        floors.push_back(context.least_floor);
+        for (const double floor : floors) {
             stage.least_floor = floor;
-            State state = state_at(base, unknowns, std::move(values), stage);
+            State state = state_at(base, held, std::move(values), stage);
             if (!state.possible()) return impossible(state);
-            settle(unknowns, stage, state);
+            settle(held, stage, state);
             const double rival = options.rival ? blunt_posterior(*options.rival, stage) - options.room : kNobody;
-            end = climb(base, unknowns, stage, blunt, rival, options.stage_iterations, damping, state, result.iterations);
+            const int most = floor > context.least_floor ? options.stage_iterations : options.iterations;
+            end = climb(base, held, stage, blunt, rival, most, damping, state, result.iterations);
             values = std::move(state.values);
             if (end == End::top && state.log_posterior + kHopeless < rival) end = End::hopeless;
             if (end == End::hopeless) break;
         }
+    }
     State state = state_at(base, unknowns, std::move(values), context);
     if (!state.possible()) return impossible(state);
     settle(unknowns, context, state);
+    if (options.from_far && end != End::hopeless) choose_width(base, unknowns, context, state);
     Normal normal;
     const double rival = options.rival ? options.rival->log_posterior - options.room : kNobody;
     if (end != End::hopeless) end = climb(base, unknowns, context, options, rival, options.iterations, damping, state, result.iterations, &normal);

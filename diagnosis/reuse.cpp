@@ -36,7 +36,8 @@ Reuse shared_with_element(const Trial& trial, Element element) {
 Reuse shared_with(const Trial& trial, const Unknown& unknown) {
     switch (unknown.kind) {
         case UnknownKind::irregularity:
-        case UnknownKind::passing: return shared_with_element(trial, Element::irregularity);
+        case UnknownKind::passing:
+        case UnknownKind::width: return shared_with_element(trial, Element::irregularity);
         case UnknownKind::number: return shared_with_element(trial, element_of_key(unknown.name));
         case UnknownKind::effect: return shared_with(trial, trial.effects[static_cast<std::size_t>(unknown.index)]);
         case UnknownKind::correction: return shared_with_element(trial, unknown.element);
@@ -58,7 +59,8 @@ bool moves(const Unknown& unknown, const Trial& trial, const Observation& observ
         case UnknownKind::number: return reaches(observation, element_of_key(unknown.name));
         case UnknownKind::correction: return reaches(observation, unknown.element);
         case UnknownKind::irregularity:
-        case UnknownKind::passing: return reaches(observation, Element::irregularity);
+        case UnknownKind::passing:
+        case UnknownKind::width: return reaches(observation, Element::irregularity);
         case UnknownKind::effect: {
             const EffectInstance& instance = trial.effects[static_cast<std::size_t>(unknown.index)];
             return could_show(observation, *find_effect(instance.effect));

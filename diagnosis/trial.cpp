@@ -105,7 +105,7 @@ void add_scalar(const Observation& observation, std::size_t o, std::vector<Unkno
 void add_fluctuation(const BelievedCase& believed, const std::vector<Observation>& observations, std::vector<Unknown>& unknowns) {
     const double own = believed.numbers.running.speed_fluctuation;
     if (std::all_of(observations.begin(), observations.end(), [](const Observation& observation) { return observation.scalar.has_value(); })) return;
-    unknowns.push_back({.kind = UnknownKind::passing,
+    unknowns.push_back({.kind = UnknownKind::width,
                         .name = "speed fluctuation",
                         .deviation = kFluctuationDeviation,
                         .low = std::log(kLeastFluctuation / own),

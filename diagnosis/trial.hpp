@@ -39,7 +39,7 @@ struct FloorPlace {
 FloorPlace floor_place(double frequency_hz);
 
 /// What an unknown moves.
-enum class UnknownKind { number, effect, irregularity, passing, correction, gain, speed, noise, floor, discrepancy };
+enum class UnknownKind { number, effect, irregularity, passing, width, correction, gain, speed, noise, floor, discrepancy };
 
 /// An unknown in a coordinate of its own (logarithm of a factor, say) with a Gaussian belief and bounds.
 struct Unknown {
