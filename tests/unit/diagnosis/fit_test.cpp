@@ -96,6 +96,31 @@ TEST(Fit, AmplitudeOfALineComesBackFromASteadySpeed) {
     EXPECT_LT(deviations_away(1e-6), -1.0);
 }
 
+// Sleepers pass in sharp lines, whose place a speed decides that is stated to half a per cent, and whose width nobody states. The top that is reached from the
+// belief is the one that is reached from the truth: a step ends where it promises a tenth of a nat, so that two ends of one top are less than a nat apart. Climbing
+// alone ended 16 nats lower where lines were wide.
+TEST(Fit, FindsLinesWhateverSpeedAndWidth) {
+    for (const double width : {-0.5, 3.0}) {
+        BelievedCase believed = paper_believed({"vehicle.primary.stiffness_n_per_m", "vehicle.bogie_mass_kg", "track.pads.static_stiffness_n_per_m"});
+        believed.numbers.sleeper_passing.amplitude_factor = 1.0;
+        Synthesised made = synthesised(believed, {15.0}, 60.0, nine_channels(), {});
+        const std::vector<Unknown> unknowns = nuisance_unknowns(made.believed, made.shapes);
+        std::vector<double> truth = means(unknowns);
+        for (std::size_t i = 0; i < unknowns.size(); ++i) {
+            if (unknowns[i].kind == UnknownKind::speed) truth[i] = -2.0 * unknowns[i].deviation;
+            if (unknowns[i].kind == UnknownKind::width) truth[i] = width;
+        }
+        set_values(made.truth, unknowns, truth);
+        made.draw(5);
+        const Trial base = believed_trial(made.believed, made.observations);
+        const Fit from_belief = fit(base, unknowns, means(unknowns), made.context()), from_truth = fit(base, unknowns, truth, made.context(), {.from_far = false});
+        std::size_t u = 0;
+        from_belief.find("speed fluctuation", &u);
+        std::printf("width %g: %.2f from the belief (width %.3f), %.2f from the truth\n", width, from_belief.log_posterior, from_belief.values[u], from_truth.log_posterior);
+        EXPECT_GT(from_belief.log_posterior, from_truth.log_posterior - 1.0);
+    }
+}
+
 // Truths drawn from the beliefs, recordings drawn from the truths: a 90 % interval of the posterior then covers in 90 % of the cases,
 // however informative the recordings are. 60 nulls; the values of one null hang together, so each is judged by itself with a binomial
 // bound (54 of 60 expected, standard deviation 2.3; 44 is fallen below once in 20000 tries) and all together with the same per null
