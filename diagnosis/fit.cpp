@@ -183,7 +183,8 @@ void choose_width(const Trial& base, const std::vector<Unknown>& unknowns, const
             State next = state_at(base, unknowns, std::move(values), context);
             if (next.log_posterior > state.log_posterior) state = std::move(next);
         };
-        for (double width = unknowns[u].low; width <= unknowns[u].high; width += 1.0) try_width(width);
+        for (double width = unknowns[u].low; width < unknowns[u].high; width += 1.0) try_width(width);
+        try_width(unknowns[u].high);
         for (const double step : {0.5, 0.25}) {
             const double best = state.values[u];
             try_width(best - step);

@@ -1,9 +1,11 @@
 // What diagnose() says of recordings in which nothing is missing. One CSV row per synthesised null:
 //   calibrate_verdict CASE FIRST_SEED COUNT SECONDS PAYLOAD_KG SPEED_M_PER_S...
 // Rows come as they are done and depend on their seed only, so that ranges of seeds can be run apart, stopped and continued.
-// Believed numbers are off: the truth is uniform within ± tolerance of each. Irregularity, speeds and noise are as the beliefs
-// of the fit have them (Gaussian).
+// Truths are drawn as the beliefs of the fit have them: numbers, irregularity, speeds and widths of lines Gaussian (a tolerance is a standard deviation), within what
+// a case may state.
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <map>
@@ -24,15 +26,13 @@ struct Truth {
 };
 
 Truth truth_of(const diagnosis::BelievedCase& believed, const std::vector<diagnosis::Observation>& shapes, std::mt19937_64& random) {
-    std::uniform_real_distribution<double> within(-1.0, 1.0);
     std::normal_distribution<double> normal;
     Truth truth{.trial = diagnosis::believed_trial(believed, shapes)};
     for (const diagnosis::Unknown& unknown : diagnosis::nuisance_unknowns(believed, shapes)) {
         if (unknown.kind == diagnosis::UnknownKind::floor || unknown.kind == diagnosis::UnknownKind::noise) continue;
-        const bool number = unknown.kind == diagnosis::UnknownKind::number;
-        const double x = unknown.mean + unknown.deviation * (number ? within(random) : normal(random));
+        const double x = std::clamp(unknown.mean + unknown.deviation * normal(random), unknown.low, unknown.high);
         unknown.set(truth.trial, x);
-        if (number) truth.factors[unknown.name] = std::exp(x);
+        if (unknown.kind == diagnosis::UnknownKind::number) truth.factors[unknown.name] = std::exp(x);
     }
     return truth;
 }
