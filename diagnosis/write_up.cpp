@@ -1,0 +1,299 @@
+#include "diagnosis/write_up.hpp"
+
+#include <Eigen/Cholesky>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "diagnosis/compare_channels.hpp"
+#include "diagnosis/inferred_curve.hpp"
+#include "diagnosis/interval.hpp"
+#include "diagnosis/scalar_likelihood.hpp"
+#include "diagnosis/separate.hpp"
+#include "diagnosis/shows.hpp"
+
+namespace railpem::diagnosis {
+
+namespace {
+
+class WritingUp {
+  public:
+    WritingUp(const Findings& found, Diagnosis& result)
+        : believed_(found.believed), observations_(found.observations), context_(found.context), thresholds_(found.thresholds), naming_(found.naming),
+          study_(found.study), decision_(found.decision), retuned_(found.retuned), named_(found.named), result_(result) {}
+
+    void run() {
+        const Decision& decision = decision_;
+        result_.verdict = decision.verdict;
+        result_.posterior = posterior_of(naming_, decision);
+        result_.places = place_probabilities(naming_, study_, decision);
+        report_figures(decision);
+        report_margins();
+        const bool names = decision.named && decision.verdict != Verdict::ambiguous && decision.verdict != Verdict::consistent;
+        if (names) report_omitted(decision);
+        report_rivals(decision);
+        report_numbers();
+        report_curve();
+        for (const NotTested& not_tested : naming_.not_tested) result_.not_tested.push_back(not_tested.effect + ": " + not_tested.why);
+        report_recordings();
+        report_basis();
+        result_.diagnosed_numbers = named_.fit.trial.numbers;
+        result_.diagnosed_effects = named_.fit.trial.effects;
+        if (!names) {
+            result_.diagnosed_numbers = retuned_.fit.trial.numbers;
+            result_.diagnosed_effects = retuned_.fit.trial.effects;
+        }
+        result_.statement = statement_of(result_);
+    }
+
+  private:
+    void report_margins() {
+        if (!naming_.sets.empty()) {
+            result_.margins.score = naming_.sets.front().score() - naming_.retuned.score();
+            result_.margins.held_out = naming_.sets.front().held_out - naming_.retuned.held_out;
+        }
+        if (!study_.at_retuned.empty()) result_.margins.place = study_.at_retuned.front().nats;
+    }
+
+    double seconds(Part part) const {
+        double sum = 0.0;
+        for (const Observation& observation : observations_) sum += measured(observation, part).seconds;
+        // Without any time series the figures are per value.
+        return sum > 0.0 ? sum : std::max(1.0, static_cast<double>(scalar_count(observations_, part)));
+    }
+
+    void report_figures(const Decision& decision) {
+        Trial believed = believed_trial(believed_, observations_);
+        believed.noise_psd = naming_.retuned.fit.trial.noise_psd;
+        believed.floor = naming_.retuned.fit.trial.floor;
+        believed.discrepancy = naming_.retuned.fit.trial.discrepancy;
+        believed.log_gain = naming_.retuned.fit.trial.log_gain;
+        const Predictions before = predict(believed, context_);
+        const FittedSet& after = decision.named ? *decision.named : naming_.retuned;
+        LikelihoodContext held = context_;
+        held.part = Part::held_out;
+        const double fitted_s = seconds(Part::fitted), held_s = seconds(Part::held_out);
+        const auto figures = [&](const Trial& trial, const Predictions& predictions, Stage stage, Part part, double duration, double reference) {
+            LikelihoodContext own = context_;
+            own.part = part;
+            const Stages stages{&believed, &before, &naming_.retuned.fit.trial, &naming_.retuned.fit.predictions, &after.fit.trial, &after.fit.predictions};
+            return FitFigures{rms_db(compare_channels(stages, observations_, part), stage),
+                              (log_likelihood(trial, predictions, own) - reference) / duration};
+        };
+        // A held-out part with fewer averages than channels has no saturated model: the reference is the diagnosed one's own entropy.
+        const double reference = log_likelihood(after.fit.trial, after.fit.predictions, held) + excess(after, held) -
+                                 scalar_log_likelihood(after.fit.trial, after.fit.predictions, held);
+        const Fit &retuned = naming_.retuned.fit, &last = after.fit;
+        result_.before = figures(believed, before, Stage::believed, Part::fitted, fitted_s, 0.0);
+        result_.retuned = figures(retuned.trial, retuned.predictions, Stage::retuned, Part::fitted, fitted_s, 0.0);
+        result_.after = figures(last.trial, last.predictions, Stage::diagnosed, Part::fitted, fitted_s, 0.0);
+        result_.held_out_before = figures(believed, before, Stage::believed, Part::held_out, held_s, reference);
+        result_.held_out_retuned = figures(retuned.trial, retuned.predictions, Stage::retuned, Part::held_out, held_s, reference);
+        result_.held_out_after = figures(last.trial, last.predictions, Stage::diagnosed, Part::held_out, held_s, reference);
+        const double deficit = result_.after.log_likelihood_per_second - result_.before.log_likelihood_per_second;
+        const double removed = result_.retuned.log_likelihood_per_second - result_.before.log_likelihood_per_second;
+        result_.hidden_by_retuning = deficit > 0.0 ? std::clamp(removed / deficit, 0.0, 1.0) : 1.0;
+        const Stages stages{&believed, &before, &retuned_.fit.trial, &retuned_.fit.predictions, &named_.fit.trial, &named_.fit.predictions};
+        result_.channels = compare_channels(stages, observations_, Part::all);
+        result_.mismatch = mismatches(retuned_.fit.trial, retuned_.fit.predictions, observations_, Part::all);
+        for (Mismatch& mismatch : result_.mismatch)
+            mismatch.element = result_.places.empty() ? Element::body : result_.places.front().element;
+    }
+
+    /// Σ n [tr(S⁻¹Ŝ) − p]: what is above its expectation under the set itself.
+    double excess(const FittedSet& set, const LikelihoodContext& context) const {
+        double sum = 0.0;
+        for (std::size_t o = 0; o < observations_.size(); ++o) {
+            const Observation& observation = observations_[o];
+            const MeasuredSpectra& data = measured(observation, context.part);
+            const std::size_t size = observation.channels.size();
+            for (std::size_t bin = 0; bin < observation.bins(); ++bin) {
+                const Eigen::MatrixXcd model = complete_prediction(set.fit.trial, observation, o, set.fit.predictions[o], bin);
+                const Eigen::Map<const Eigen::MatrixXcd> estimate(&data.values[bin * size * size], static_cast<long>(size), static_cast<long>(size));
+                sum += data.averages * (model.llt().solve(estimate).trace().real() - static_cast<double>(size));
+            }
+        }
+        return sum;
+    }
+
+    double probability_with(const Decision& decision, const std::function<bool(const FittedSet&)>& has) const {
+        double with = 0.0, all = 0.0, best = std::max(naming_.retuned.score(), decision.unknown_score);
+        for (const FittedSet& set : naming_.sets) best = std::max(best, set.score());
+        const auto weight = [&](double score) { return std::exp(std::max(-700.0, score - best)); };
+        all = weight(naming_.retuned.score()) + weight(decision.unknown_score);
+        for (const FittedSet& set : naming_.sets) {
+            all += weight(set.score());
+            if (has(set)) with += weight(set.score());
+        }
+        return with / all;
+    }
+
+    void report_omitted(const Decision& decision) {
+        const std::size_t own = believed_.effects.size();
+        for (std::size_t i = 0; i < named_.effects.size(); ++i) {
+            const EffectInstance& instance = named_.fit.trial.effects[own + i];
+            const Effect& effect = *find_effect(instance.effect);
+            NamedEffect named{.instance = instance, .element = element_of(effect, instance), .says = effect.says, .source = effect.source};
+            named.probability = probability_with(decision, [&](const FittedSet& set) {
+                return std::any_of(set.effects.begin(), set.effects.end(), [&](const Candidate& member) { return same_variant(member.instance, instance); });
+            });
+            for (std::size_t u = 0; u < named_.fit.unknowns.size(); ++u) {
+                const Unknown& unknown = named_.fit.unknowns[u];
+                if (unknown.kind != UnknownKind::effect || unknown.index != static_cast<int>(own + i)) continue;
+                for (const EffectParameter& parameter : effect.parameters) {
+                    if (effect.id + "." + parameter.name != unknown.name) continue;
+                    const double reach = kNinety * named_.fit.deviation(u), x = named_.fit.values[u];
+                    const double low = from_coordinate(parameter, std::max(unknown.low, x - reach)), high = from_coordinate(parameter, std::min(unknown.high, x + reach));
+                    named.parameters.push_back({parameter.name, from_coordinate(parameter, x), low, high, parameter.unit});
+                }
+            }
+            share_of(named, i, decision);
+            result_.omitted.push_back(std::move(named));
+        }
+        for (const std::string& key : named_.released) report_released(key, decision);
+    }
+
+    void report_released(const std::string& key, const Decision& decision) {
+        std::size_t u = 0;
+        named_.fit.find(key, &u);
+        const double reach = kNinety * named_.fit.deviation(u), x = named_.fit.values[u];
+        NamedEffect named{.instance = {.effect = "parameter-error", .values = {{"factor", std::exp(x)}}, .choices = {{"parameter", key}}},
+                          .element = element_of_key(key)};
+        named.says = find_effect("parameter-error")->says;
+        named.source = find_effect("parameter-error")->source;
+        named.parameters.push_back({"factor", std::exp(x), std::exp(x - reach), std::exp(x + reach), "1"});
+        named.probability = probability_with(decision, [&](const FittedSet& set) { return std::find(set.released.begin(), set.released.end(), key) != set.released.end(); });
+        named.nats_fitted = decision.named->fit.log_likelihood - naming_.retuned.fit.log_likelihood;
+        named.nats_held_out = decision.named->held_out - naming_.retuned.held_out;
+        result_.omitted.push_back(std::move(named));
+    }
+
+    /// What a member explains: against the best fitted set without it, or the retuned case.
+    void share_of(NamedEffect& named, std::size_t member, const Decision& decision) {
+        const FittedSet& best = *decision.named;
+        const FittedSet* without = &naming_.retuned;
+        for (const FittedSet& set : naming_.sets) {
+            if (set.members() + 1 != best.members() || set.released != best.released) continue;
+            const bool lacks = std::none_of(set.effects.begin(), set.effects.end(),
+                                            [&](const Candidate& own) { return same_variant(own.instance, best.effects[member].instance); });
+            if (lacks && set.fit.log_likelihood > without->fit.log_likelihood) without = &set;
+        }
+        named.nats_fitted = best.fit.log_likelihood - without->fit.log_likelihood;
+        named.nats_held_out = best.held_out - without->held_out;
+    }
+
+    void report_rivals(const Decision& decision) {
+        const FittedSet* best = naming_.sets.empty() ? nullptr : &naming_.sets.front();
+        if (!best) return;
+        constexpr std::size_t kMostRivals = 6;
+        const bool ambiguous = decision.verdict == Verdict::ambiguous;
+        for (const FittedSet& set : naming_.sets) {
+            if (result_.rivals.size() >= kMostRivals) break;
+            const bool credible = std::find(decision.credible.begin(), decision.credible.end(), &set) != decision.credible.end();
+            if (ambiguous ? !credible : &set == decision.named) continue;
+            Rival rival{.effects = labels_of(set), .nats_behind = best->score() - set.score()};
+            const std::size_t own = believed_.effects.size();
+            rival.instances.assign(set.fit.trial.effects.begin() + static_cast<long>(own), set.fit.trial.effects.end());
+            for (const std::string& key : set.released) {
+                std::size_t u = 0;
+                set.fit.find(key, &u);
+                rival.instances.push_back({.effect = "parameter-error", .values = {{"factor", std::exp(set.fit.values[u])}}, .choices = {{"parameter", key}}});
+            }
+            rival.probability = probability_with(decision, [&](const FittedSet& other) { return &other == &set; });
+            rival.why_not = set.score() < naming_.retuned.score() + thresholds_.least_gain ? "it explains no more than its own freedom costs"
+                            : rival.nats_behind < thresholds_.credible ? "nothing speaks against it so far"
+                                                                               : "the data are less probable under it by e^" + std::to_string(static_cast<int>(rival.nats_behind));
+            const FittedSet* other = &set == best ? (decision.credible.size() > 1 ? decision.credible[1] : nullptr) : best;
+            if (other && result_.rivals.size() < 3) rival.would_separate = would_separate(*other, set, believed_, observations_);
+            result_.rivals.push_back(std::move(rival));
+        }
+    }
+
+    std::vector<RetunedNumber> numbers_of(const Fit& fit) const {
+        std::vector<RetunedNumber> numbers;
+        for (std::size_t u = 0; u < fit.unknowns.size(); ++u) {
+            if (fit.unknowns[u].kind != UnknownKind::number) continue;
+            const auto number = std::find_if(believed_.uncertain.begin(), believed_.uncertain.end(), [&](const BelievedNumber& own) { return own.key == fit.unknowns[u].name; });
+            const double reach = kNinety * fit.deviation(u), x = fit.values[u];
+            RetunedNumber own{.key = number->key, .unit = number->unit, .believed = number->value, .value = number->value * std::exp(x),
+                              .low = number->value * std::exp(x - reach), .high = number->value * std::exp(x + reach), .tolerance = number->tolerance,
+                              .tolerances_away = x / number->tolerance};
+            own.outside = std::abs(own.tolerances_away) > 2.0;
+            numbers.push_back(own);
+        }
+        return numbers;
+    }
+
+    void report_numbers() {
+        result_.retuned_numbers = numbers_of(retuned_.fit);
+        result_.numbers = numbers_of(named_.fit);
+    }
+
+    void report_curve() {
+        for (const FittedSet& set : study_.anonymous) {
+            const Element element = set.anonymous.front().element;
+            if (element == Element::irregularity || element == Element::sensor) continue;
+            InferredCurve curve = inferred_curve(set.fit, set.anonymous.front(), believed_, observations_);
+            curve.retuned = law_of(retuned_.fit, curve, believed_, observations_);
+            curve.diagnosed = law_of(named_.fit, curve, believed_, observations_);
+            result_.curves.push_back(std::move(curve));
+        }
+    }
+
+    void report_recordings() {
+        for (std::size_t o = 0; o < observations_.size(); ++o) {
+            const Observation& observation = observations_[o];
+            UsedRecording used{.name = observation.name, .stated_speed_m_per_s = observation.speed_m_per_s, .payload_kg = observation.payload_kg,
+                               .seconds = observation.all.seconds, .held_out_seconds = observation.held_out.seconds, .low_hz = observation.expectation.low_hz,
+                               .high_hz = observation.expectation.high_hz, .window_s = observation.scalar ? 0.0 : 1.0 / observation.kernel.bin_hz(), .averages = observation.all.averages};
+            used.channels = observation.channel_names;
+            std::size_t u = 0;
+            if (named_.fit.find("speed of " + observation.name, &u)) {
+                const double reach = kNinety * named_.fit.deviation(u);
+                used.speed_m_per_s = observation.speed_m_per_s * std::exp(named_.fit.values[u]);
+                used.speed_low = used.speed_m_per_s * std::exp(-reach);
+                used.speed_high = used.speed_m_per_s * std::exp(reach);
+            }
+            result_.recordings.push_back(std::move(used));
+        }
+    }
+
+    void report_basis() {
+        result_.per_value = std::all_of(observations_.begin(), observations_.end(), [](const Observation& own) { return own.scalar.has_value(); });
+        for (const std::string& basis : scalar_basis(observations_)) result_.rests_on.push_back(basis);
+        std::map<long, int> speeds;
+        for (const Observation& observation : observations_)
+            if (observation.speed_m_per_s > 0.0) ++speeds[std::lround(10.0 * observation.speed_m_per_s)];
+        if (speeds.empty()) result_.rests_on.push_back("the track alone, without a vehicle");
+        else if (speeds.size() > 1) result_.rests_on.push_back(std::to_string(speeds.size()) + " speeds: irregularity keeps its wavelength, structure its frequency");
+        else result_.rests_on.push_back(std::string("one speed: what lies below the wheels shows only through the coupling of neighbouring wheels and the ") +
+                                        (believed_.measured_irregularity.empty() ? "believed" : "measured") + " irregularity");
+        if (!result_.per_value) result_.rests_on.push_back("ratios between the channels, which do not care what the irregularity is");
+        for (const RetunedNumber& number : result_.numbers)
+            if (number.outside) result_.remains.push_back(number.key + " ends " + std::to_string(std::abs(number.tolerances_away)).substr(0, 4) + " tolerances away from what was believed");
+        const double missed = result_.omitted.empty() ? study_.by_retuned : study_.by_named;
+        if (missed > thresholds_.residual)
+            result_.remains.push_back(fmt::format("the unseen part repeats {:.0f} nats of what the fit misses, more than chance: something of the recordings has no name here", missed));
+        if (!study_.at_named.empty() && study_.at_named.front().nats > thresholds_.residual)
+            result_.remains.push_back("a free correction of the " + element_name(study_.at_named.front().element) + " would still bring " +
+                                      std::to_string(static_cast<int>(study_.at_named.front().nats)) + " nats");
+    }
+
+    const BelievedCase& believed_;
+    const std::vector<Observation>& observations_;
+    const LikelihoodContext& context_;
+    const VerdictThresholds& thresholds_;
+    const NamingResult& naming_;
+    const PlaceStudy& study_;
+    const Decision& decision_;
+    const FittedSet &retuned_, &named_;
+    Diagnosis& result_;
+};
+
+}  // namespace
+
+void write_up(const Findings& findings, Diagnosis& result) { WritingUp(findings, result).run(); }
+
+}  // namespace railpem::diagnosis
