@@ -12,7 +12,8 @@
 
 namespace railpem::lanes {
 
-/// A complex factor that varies smoothly with frequency: linear in log f between nodes, constant beyond them; no nodes: 1.
+/// A complex factor that varies smoothly with frequency: between nodes cubic in log f with the slopes of
+/// parabolas through three nodes (of two nodes linear), constant beyond them; no nodes: 1.
 /// The time factor is e^{iωt}: a positive imaginary part on a stiffness dissipates, on a mass it feeds.
 struct FactorCurve {
     std::vector<double> frequency_hz;         ///< > 0, increasing
@@ -41,8 +42,21 @@ struct FactorCurve {
         if (f >= frequency_hz.back()) return value.back();
         const auto above = std::upper_bound(frequency_hz.begin(), frequency_hz.end(), f);
         const std::size_t i = static_cast<std::size_t>(above - frequency_hz.begin());
-        const double share = std::log(f / frequency_hz[i - 1]) / std::log(frequency_hz[i] / frequency_hz[i - 1]);
-        return value[i - 1] + share * (value[i] - value[i - 1]);
+        const double step = place(i) - place(i - 1), t = (std::log(f) - place(i - 1)) / step;
+        const std::complex<double> rise = value[i] - value[i - 1], from = step * slope(i - 1) - rise, to = rise - step * slope(i);
+        return value[i - 1] + t * rise + t * (1.0 - t) * ((1.0 - t) * from + t * to);
+    }
+
+    double place(std::size_t node) const { return std::log(frequency_hz[node]); }
+
+    /// Over the logarithm of frequency: that of the parabola through the node and its neighbours, at an end through the first or last three nodes.
+    std::complex<double> slope(std::size_t node) const {
+        if (value.size() < 3) return (value[1] - value[0]) / (place(1) - place(0));
+        const std::size_t middle = std::clamp<std::size_t>(node, 1, value.size() - 2);
+        const double before = place(middle) - place(middle - 1), after = place(middle + 1) - place(middle);
+        const std::complex<double> left = (value[middle] - value[middle - 1]) / before, right = (value[middle + 1] - value[middle]) / after;
+        const std::complex<double> bend = (right - left) / (before + after);  // half the second derivative
+        return node < middle ? left - before * bend : node > middle ? right + after * bend : left + before * bend;
     }
 };
 
