@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 
 #include "lanes/complex_lanes.hpp"
 #include "parameters/parameter_error.hpp"
@@ -50,6 +51,19 @@ double bisect(const PadCurve& curve, double low, double high, double force_n) {
         const double middle = 0.5 * (low + high);
         if (middle <= low || middle >= high) return high;
         (measured_value(curve, middle).force_n < force_n ? low : high) = middle;
+    }
+}
+
+/// The same by Newton's method, within the bracket that every value narrows: a tenth of the evaluations.
+double compression_at(const PadCurve& curve, double low, double high, double force_n) {
+    double s = low + (high - low) * force_n / curve.limit_force_n;
+    for (;;) {
+        const ForceAndSlope value = measured_value(curve, s);
+        (value.force_n < force_n ? low : high) = s;
+        double next = s - (value.force_n - force_n) / value.slope_n_per_m;
+        if (!(next > low && next < high)) next = 0.5 * (low + high);
+        if (std::abs(next - s) <= 4.0 * std::numeric_limits<double>::epsilon() * std::abs(s) || next <= low || next >= high) return next;
+        s = next;
     }
 }
 
@@ -183,7 +197,7 @@ double pad_compression(const PadCurve& curve, double force_n) {
     if (force_n > curve.limit_force_n)
         return curve.limit_compression_m + (force_n - curve.limit_force_n) / curve.limit_stiffness_n_per_m;
     if (std::isinf(curve.limit_compression_m)) return force_n / curve.polynomial_n[1];
-    return bisect(curve, curve.free_compression_m, curve.limit_compression_m, force_n);
+    return compression_at(curve, curve.free_compression_m, curve.limit_compression_m, force_n);
 }
 
 }  // namespace railpem::track
