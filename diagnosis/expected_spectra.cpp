@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <string>
 
 #include "diagnosis/friction_spectra.hpp"
@@ -155,6 +156,7 @@ ExpectedSpectra expected_spectra(const pem::CaseParameters& parameters, double s
     const FineGrid grid = fine_grid(kernel, expected.first_bin, bins, options.oversampling);
     pem::WheelTransfers own;
     pem::PadTransfers pads;
+    std::optional<pem::TrackExcitation> made;
     if (has_friction(parameters) && reuse == Reuse::transfers) reuse = Reuse::rail;  // its forces are no transfer
     if (reuse != Reuse::transfers) {
         pem::CoupledModel model = pem::coupled_model(parameters, speed);
@@ -176,14 +178,15 @@ ExpectedSpectra expected_spectra(const pem::CaseParameters& parameters, double s
             add_friction(parameters, {model, sources, level_rails, rails, lines.from_hz, lines.step_hz, lines.lines}, channels, bin, expected);
         }
         pads = pem::pad_transfers(parameters, model, reuse == Reuse::rail && !known->pads.rail.empty() ? &known->pads : nullptr);
-        if (filled) *filled = {std::move(rails), std::move(level_rails), own, pem::track_excitation(parameters, wheels, speed), model.car.friction, pads};
+        if (filled || reuse == Reuse::nothing) made = pem::track_excitation(parameters, wheels, speed, &model);
+        if (filled) *filled = {std::move(rails), std::move(level_rails), own, *made, model.car.friction, pads};
     }
     // With the rail the track and its speed are those of the cache; pads that stiffen under load do not share it.
-    const pem::TrackExcitation* track = filled ? &filled->track : reuse != Reuse::nothing ? &known->track : nullptr;
+    const pem::TrackExcitation& track = made ? *made : known->track;
     const pem::WheelTransfers& transfers = reuse == Reuse::transfers ? known->transfers : own;
     const recordings::KernelWeights weights =
         options.weights.weights.empty() ? expectation_weights(kernel, options.oversampling) : options.weights;
-    const pem::Excitation excitation = pem::excitation(parameters, wheels, speed, track);
+    const pem::Excitation excitation = pem::excitation(parameters, wheels, speed, &track);
     for (const pem::DelayedSpectrum& source : excitation.broadband)
         add_smoothed(fine_responses(transfers, source, wheels, speed, grid), channels.size(), weights,
                      {.first = grid.first, .count = grid.count, .first_bin = expected.first_bin, .bins = bins}, expected.values);

@@ -10,7 +10,7 @@ bool is_approximate(const FittedSet& set) {
     return std::any_of(set.effects.begin(), set.effects.end(), [](const Candidate& member) { return find_effect(member.instance.effect)->approximate; });
 }
 
-double share_left(const FittedSet& set) { return is_approximate(set) ? 0.02 : 0.005; }
+double share_left(const FittedSet& set) { return is_approximate(set) ? 0.03 : 0.005; }
 
 double nats_left(const FittedSet& set, double retuned_score, double least) { return std::max(least, share_left(set) * (set.score() - retuned_score)); }
 

@@ -5,6 +5,7 @@
 
 #include "pem/angular_frequency.hpp"
 #include "pem/contact.hpp"
+#include "pem/passing_feedback.hpp"
 #include "pem/passing_lines.hpp"
 #include "spectra/irregularity_spectrum.hpp"
 #include "spectra/line_power.hpp"
@@ -121,9 +122,11 @@ std::complex<double> delay_phase(const std::vector<double>& wheels_m, std::size_
     return std::polar(1.0, -kTwoPi * frequency_hz * (wheels_m[0] - wheels_m[wheel]) / speed_m_per_s);
 }
 
-TrackExcitation track_excitation(const CaseParameters& parameters, const std::vector<double>& wheels_m, double speed_m_per_s) {
-    return {.passing = passing_lines(parameters, wheels_m, speed_m_per_s), .failed = failed_fastener_spectrum(parameters, wheels_m, speed_m_per_s),
-            .wheel_load_n = wheel_load_n(parameters), .amplitude_factor = parameters.sleeper_passing.amplitude_factor};
+TrackExcitation track_excitation(const CaseParameters& parameters, const std::vector<double>& wheels_m, double speed_m_per_s, const CoupledModel* model) {
+    TrackExcitation track{.passing = passing_lines(parameters, wheels_m, speed_m_per_s), .failed = failed_fastener_spectrum(parameters, wheels_m, speed_m_per_s),
+                          .wheel_load_n = wheel_load_n(parameters), .amplitude_factor = parameters.sleeper_passing.amplitude_factor};
+    if (model && parameters.track.failed_fasteners.empty()) feed_back(parameters, *model, speed_m_per_s, track.passing);
+    return track;
 }
 
 TrackExcitation rescaled(const TrackExcitation& known, const CaseParameters& parameters) {
@@ -142,9 +145,10 @@ TrackExcitation rescaled(const TrackExcitation& known, const CaseParameters& par
     return own;
 }
 
-Excitation excitation(const CaseParameters& parameters, const std::vector<double>& wheels_m, double speed_m_per_s, const TrackExcitation* known) {
+Excitation excitation(const CaseParameters& parameters, const std::vector<double>& wheels_m, double speed_m_per_s, const TrackExcitation* known,
+                      const CoupledModel* model) {
     const bool usable = known && (known->amplitude_factor != 0.0 || parameters.sleeper_passing.amplitude_factor == 0.0);
-    TrackExcitation track = usable ? rescaled(*known, parameters) : track_excitation(parameters, wheels_m, speed_m_per_s);
+    TrackExcitation track = usable ? rescaled(*known, parameters) : track_excitation(parameters, wheels_m, speed_m_per_s, model);
     Excitation all;
     all.broadband.push_back(irregularity_spectrum(parameters, speed_m_per_s));
     if (track.failed) all.broadband.push_back({"failed_fasteners", std::move(track.failed)});
@@ -155,8 +159,8 @@ Excitation excitation(const CaseParameters& parameters, const std::vector<double
     return all;
 }
 
-std::vector<Source> excitation_sources(const CaseParameters& parameters, const std::vector<double>& wheels_m, double speed_m_per_s) {
-    Excitation all = excitation(parameters, wheels_m, speed_m_per_s);
+std::vector<Source> excitation_sources(const CaseParameters& parameters, const std::vector<double>& wheels_m, double speed_m_per_s, const CoupledModel* model) {
+    Excitation all = excitation(parameters, wheels_m, speed_m_per_s, nullptr, model);
     std::vector<Source> sources;
     for (DelayedSpectrum& spectrum : all.broadband) sources.push_back(delayed_source(spectrum.name, wheels_m, speed_m_per_s, std::move(spectrum.psd_m2_per_hz)));
     for (LineSet& set : all.lines) sources.push_back(line_source(set.name, std::move(set.lines), parameters.running.speed_fluctuation));

@@ -60,13 +60,15 @@ struct TrackExcitation {
     double wheel_load_n = 0.0;                     ///< under which they were computed
     double amplitude_factor = 0.0;                 ///< sleeper_passing.amplitude_factor of then
 };
-TrackExcitation track_excitation(const CaseParameters& parameters, const std::vector<double>& wheels_m, double speed_m_per_s);
+/// `model`: of the case at this speed; with it the lines of passing sleepers have what their own forces do (passing_feedback.hpp).
+TrackExcitation track_excitation(const CaseParameters& parameters, const std::vector<double>& wheels_m, double speed_m_per_s, const CoupledModel* model = nullptr);
 
 /// The same for another load and amplitude factor. The track must be the same and not stiffen under load; throws nothing.
 TrackExcitation rescaled(const TrackExcitation& known, const CaseParameters& parameters);
 
-/// `known`: the track's part, if it is known already.
-Excitation excitation(const CaseParameters& parameters, const std::vector<double>& wheels_m, double speed_m_per_s, const TrackExcitation* known = nullptr);
+/// `known`: the track's part, if it is known already; else made, with `model` as in track_excitation().
+Excitation excitation(const CaseParameters& parameters, const std::vector<double>& wheels_m, double speed_m_per_s, const TrackExcitation* known = nullptr,
+                      const CoupledModel* model = nullptr);
 
 /// Phase e^{−iω·d_j/v} with which wheel j meets what wheel 1 meets, d_j = x_1 − x_j.
 std::complex<double> delay_phase(const std::vector<double>& wheels_m, std::size_t wheel, double frequency_hz, double speed_m_per_s);
@@ -78,7 +80,7 @@ std::complex<double> delay_phase(const std::vector<double>& wheels_m, std::size_
 Source line_source(std::string name, std::vector<SpectralLine> lines, double speed_fluctuation);
 
 /// The excitation as sources on a frequency grid: e_j = exp(−iω·d_j/v)·√S(f) for the broadband ones (Lin's pseudo-excitation; Wei et
-/// al. 2016, section 4.1).
-std::vector<Source> excitation_sources(const CaseParameters& parameters, const std::vector<double>& wheels_m, double speed_m_per_s);
+/// al. 2016, section 4.1). `model` as in track_excitation().
+std::vector<Source> excitation_sources(const CaseParameters& parameters, const std::vector<double>& wheels_m, double speed_m_per_s, const CoupledModel* model = nullptr);
 
 }  // namespace railpem::pem

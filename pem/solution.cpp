@@ -89,7 +89,7 @@ void warn_of_linearisation(Solution& solution) {
 
 Solution solve_case(const CaseParameters& parameters, double speed_m_per_s, const SolveOptions& options) {
     CoupledModel model = coupled_model(parameters, speed_m_per_s);
-    const std::vector<Source> sources = excitation_sources(parameters, model.wheels_m, speed_m_per_s);
+    const std::vector<Source> sources = excitation_sources(parameters, model.wheels_m, speed_m_per_s, &model);
     Solution solution;
     solution.linearisation = linearise(parameters, sources, model);
     solution.speed_m_per_s = speed_m_per_s;

@@ -81,13 +81,14 @@ Memory memory_at(const PadParameters& pads, Real omega) {
 
 /// The linear part of the equation of one pad, at every κ ≥ 0.
 struct Equation {
-    std::vector<Phasor> load;     ///< Σ P·e^{iκ(a + first)}/step: as a discrete transform
+    std::vector<Phasor> load;     ///< D(−κ, κv) times what the loads alone move, e^{iκ·first}/step: as a discrete transform; of constant ones Σ P·e^{iκ(a + first)}/step
     std::vector<Phasor> free;     ///< D(−κ, κv)
     std::vector<Phasor> carried;  ///< D(−κ, κv)·(Σ' 1/(L·D) + R) + 1/L
     std::vector<Phasor> shape, dashpot;
 };
 
-Equation equation_of(const TrackParameters& track, const std::vector<double>& wheels_m, double wheel_load_n, double speed, bool standing, const Grid& grid) {
+Equation equation_of(const TrackParameters& track, const std::vector<double>& wheels_m, double wheel_load_n, double speed, bool standing, const Grid& grid,
+                     const std::vector<Phasor>& swelling) {
     Equation equation;
     const double bay = 2.0 * std::numbers::pi / track.spacing_m;
     const BeamCoefficients still = [&] {
@@ -108,10 +109,18 @@ Equation equation_of(const TrackParameters& track, const std::vector<double>& wh
         const Complex below = standing ? Complex(static_support_compliance(track.support)) : support_receptance(track.support, omega);
         const Complex carried = free * (aliased * (1.0 / track.spacing_m) + below) + 1.0 / track.spacing_m;
         const Memory memory = standing ? Memory{Complex(1.0), Complex()} : memory_at(track.pads, omega);
+        const Complex ahead = swelling.empty() ? Complex() : free / beam_stiffness(beam, bay - k), behind = swelling.empty() ? Complex() : free / beam_stiffness(beam, bay + k);
         for (int lane = 0; lane < lanes::width && first + static_cast<std::size_t>(lane) < grid.wavenumbers(); ++lane) {
             Phasor load = 0.0;
-            for (std::size_t wheel = 0; wheel < wheels_m.size(); ++wheel) load += turned[wheel], turned[wheel] *= turn[wheel];
-            equation.load.push_back(wheel_load_n / grid.step_m * load);
+            for (std::size_t wheel = 0; wheel < wheels_m.size(); ++wheel) {
+                load += wheel_load_n * turned[wheel];
+                if (!swelling.empty()) {
+                    const Phasor own = 0.5 * swelling[wheel] * std::polar(1.0, -bay * wheels_m[wheel]);
+                    load += turned[wheel] * (own * ahead[lane] + std::conj(own) * behind[lane]);
+                }
+                turned[wheel] *= turn[wheel];
+            }
+            equation.load.push_back(load / grid.step_m);
             equation.free.push_back(free[lane]);
             equation.carried.push_back(carried[lane]);
             equation.shape.push_back(memory.shape[lane]);
@@ -222,10 +231,11 @@ TrackParameters passing_track(const TrackParameters& track, double wheel_load_n)
     return passing;
 }
 
-PadHistory pad_history(const TrackParameters& track, const std::vector<double>& wheels_m, double wheel_load_n, double speed_m_per_s, bool standing) {
+PadHistory pad_history(const TrackParameters& track, const std::vector<double>& wheels_m, double wheel_load_n, double speed_m_per_s, bool standing,
+                       const std::vector<Phasor>& swelling_n) {
     assert(speed_m_per_s > 0.0 || standing);
     const Grid grid = grid_of(track, wheels_m);
-    const Equation equation = equation_of(track, wheels_m, wheel_load_n, speed_m_per_s, standing, grid);
+    const Equation equation = equation_of(track, wheels_m, wheel_load_n, speed_m_per_s, standing, grid, swelling_n);
     PadHistory history{.first_m = grid.first_m(), .step_m = grid.step_m, .compression_m = {}, .force_n_m = {}, .wavenumber_step_per_m = grid.wavenumber_step()};
     const bool linear = track.pads.preload_strength == 0.0;
     const std::optional<ElasticLaw> law = linear ? std::nullopt : std::optional<ElasticLaw>(std::in_place, track, wheel_load_n);
