@@ -49,6 +49,18 @@ constexpr double kLeaning = 2.0;  ///< nats that a set may gain beyond the range
 
 bool leans(const FittedSet& set) { return nats_beyond_range(set) > kLeaning; }
 
+/// A member is smaller than anybody would speak of: it makes up for what a law beside it is off by.
+bool is_trifling(const FittedSet& set) {
+    for (std::size_t u = 0; u < set.fit.unknowns.size(); ++u) {
+        if (set.fit.unknowns[u].kind != UnknownKind::effect) continue;
+        const std::string& name = set.fit.unknowns[u].name;
+        const Effect* effect = find_effect(name.substr(0, name.find('.')));
+        for (const EffectParameter& parameter : effect->parameters)
+            if (name == effect->id + "." + parameter.name && std::abs(from_coordinate(parameter, set.fit.values[u]) - parameter.nothing) < parameter.least) return true;
+    }
+    return false;
+}
+
 /// Nats that a further member has to bring beside `smaller`: more than what a law that is an approximation leaves for anything to imitate.
 double least_addition(const FittedSet& smaller, double nothing, const VerdictThresholds& thresholds) {
     return is_approximate(smaller) ? nats_left(smaller, nothing, thresholds.least_gain) : thresholds.least_gain;
@@ -56,7 +68,8 @@ double least_addition(const FittedSet& smaller, double nothing, const VerdictThr
 
 bool says_as_much(const FittedSet& smaller, const FittedSet& larger, const NamingResult& naming, const VerdictThresholds& thresholds) {
     return smaller.members() < larger.members() && contains(larger, smaller) &&
-           (larger.score() < smaller.score() + least_addition(smaller, naming.retuned.score(), thresholds) || unseen_disagrees(smaller, larger, naming.unseen_share) || (leans(larger) && !leans(smaller)));
+           (larger.score() < smaller.score() + least_addition(smaller, naming.retuned.score(), thresholds) || unseen_disagrees(smaller, larger, naming.unseen_share) ||
+            (leans(larger) && !leans(smaller)) || (is_trifling(larger) && !is_trifling(smaller)));
 }
 
 bool only_sensors(const FittedSet& set) {

@@ -17,6 +17,7 @@ Effect sensor_gain() {
                         .typical = 1.15,
                         .strength = true,
                         .nothing = 1.0,
+                        .least = 1e-3,  // ISO 16063-21: the best calibrations are sure of half a per cent
                         .says = "what the channel reads over what is there; negative: inverted"}},
         .choices = {{.name = "channel", .options = channel_names(), .says = "the channel"}},
         .elements = {Element::sensor},

@@ -17,6 +17,7 @@ Effect timing_skew() {
                         .typical = 2e-3,
                         .strength = true,
                         .nothing = 0.0,
+                        .least = 1e-5,  // a hundredth of a sample at 1 kHz
                         .says = "the channel is late by this time"}},
         .choices = {{.name = "channel", .options = channel_names(), .says = "the channel"}},
         .elements = {Element::sensor},
