@@ -8,7 +8,7 @@
 
 namespace railpem::diagnosis {
 
-/// How sure a verdict has to be. Calibrated on synthesised nulls; the command stands in README.md.
+/// How sure a verdict has to be. Of 300 synthesised nulls nothing gained and no free correction promised more than −3.8 nats (docs/proof/README.md, calibrate_verdict).
 struct VerdictThresholds {
     double least_gain = 5.0;        ///< nats of log-evidence that physics must gain over the retuned case
     double credible = 4.0;          ///< a rival set is credible within so many nats of the best
