@@ -12,6 +12,8 @@
 #include "app/diagnosis_tables.hpp"
 #include "app/input_error.hpp"
 #include "app/inspection_beliefs.hpp"
+#include "app/nearest_key.hpp"
+#include "app/schema.hpp"
 #include "diagnosis/diagnose.hpp"
 #include "diagnosis/observe_scalars.hpp"
 #include "recordings/inspection.hpp"
@@ -50,6 +52,17 @@ void check_distinct(const DiagnosisRequest& request) {
     for (const std::string& path : request.recordings)
         if (!seen.insert(std::filesystem::weakly_canonical(path, ignored).string()).second)
             throw InputError(fmt::format("{}: the same recording twice would count its evidence twice\nallowed: each recording once", path));
+}
+
+void check_without(const DiagnosisRequest& request) {
+    std::vector<std::string> known;
+    for (const diagnosis::Effect& effect : diagnosis::effects()) known.push_back(effect.id);
+    for (const std::string& id : request.without) {
+        if (std::find(known.begin(), known.end(), id) != known.end()) continue;
+        const std::string near = nearest_key(id, known);
+        throw input_error("", "", {.option = "--without"},
+                          {.what = fmt::format("unknown effect '{}'", id), .allowed = joined(known), .hint = near.empty() ? "" : fmt::format("did you mean '{}'?", near)});
+    }
 }
 
 LoadedRecordings load_recordings(const DiagnosisRequest& request, const CaseFile& file, const diagnosis::BelievedCase& believed) {
@@ -93,12 +106,14 @@ LoadedRecordings load_recordings(const DiagnosisRequest& request, const CaseFile
 diagnosis::Diagnosis run_diagnosis(const CaseFile& file, const DiagnosisRequest& request, const DiagnosisObserver& observer,
                                    const std::function<void()>& ready) {
     check_distinct(request);
+    check_without(request);
     diagnosis::BelievedCase believed = believed_case(file);
     const LoadedRecordings loaded = load_recordings(request, file, believed);
     believed.measured_irregularity = loaded.irregularity;
     ready();
     diagnosis::DiagnoseOptions options{.threads = request.threads};
     options.naming.most_effects = request.most_effects;
+    options.naming.without = request.without;
     options.progress = [&](const std::string&, double share) { observer.progress(share); };
     options.interrupted = observer.interrupted;
     diagnosis::Diagnosis result = diagnosis::diagnose(believed, loaded.observations, options);
@@ -126,6 +141,7 @@ std::string command_of(const DiagnosisRequest& request, const std::string& folde
     if (request.window_s != usual.window_s) text += fmt::format(" --window {:g}", request.window_s);
     if (request.held_out != usual.held_out) text += fmt::format(" --held-out {:g}", request.held_out);
     if (request.most_effects != usual.most_effects) text += fmt::format(" --most-effects {}", request.most_effects);
+    for (const std::string& effect : request.without) text += " --without " + effect;
     return text + " --out " + folder;
 }
 

@@ -15,6 +15,7 @@ namespace railpem::app {
 struct DiagnosisRequest {
     std::string case_path;                ///< for the command that repeats it
     std::vector<std::string> recordings;  ///< folders or descriptions
+    std::vector<std::string> without;     ///< effects that the catalogue shall not have
     std::vector<std::string> set;         ///< as given to --set, for the command; the case has them already
     double window_s = 4.0, held_out = 0.25;
     int threads = 0, most_effects = 3;

@@ -52,6 +52,9 @@ void add_diagnose(CLI::App& program, Run& run) {
         ->check(CLI::Range(0.1, 0.5))
         ->type_name("SHARE");
     verb->add_option("--most-effects", request->diagnosis.most_effects, "most effects named together; 3 without it")->check(CLI::Range(1, 4))->type_name("N");
+    verb->add_option("--without", request->diagnosis.without, "an effect that the catalogue shall not have: what would be said if nobody knew of it")
+        ->type_name("EFFECT")
+        ->allow_extra_args(false);
     verb->add_option("--threads", request->diagnosis.threads, "threads; all without it")->check(CLI::Range(1, 1024))->type_name("N");
     verb->add_option("--set", request->diagnosis.set, "override a key of the case: key=value")->type_name("KEY=VALUE")->allow_extra_args(false);
     verb->callback([request, &run] { run = [request] { return diagnose(*request); }; });

@@ -64,6 +64,7 @@ class Search {
         say("screening the catalogue", 0.15);
         CandidateList list = candidates(believed_, result_.retuned.fit.trial, *context_.observations);
         result_.not_tested = list.not_tested;
+        for (const std::string& effect : options_.without) result_.not_tested.push_back({effect, "it was to be left out of the catalogue"});
         result_.candidates = std::move(list.candidates);
         result_.first_promises = screened(result_.retuned.fit);
         if (is_distorted(result_.retuned.fit)) {
@@ -124,7 +125,17 @@ class Search {
 
     std::vector<Promise> screened(const Fit& fit) {
         add_combs(fit, context_, result_.candidates);
+        std::erase_if(result_.candidates, [&](const Candidate& own) { return is_left_out(own.instance.effect); });
         return screen(fit, result_.candidates, context_);
+    }
+
+    bool is_left_out(const std::string& effect) const {
+        return std::find(options_.without.begin(), options_.without.end(), effect) != options_.without.end();
+    }
+
+    /// Numbers whose belief is worth giving up.
+    std::vector<std::string> releasable(const Fit& fit, const std::vector<std::string>& released, int most) const {
+        return is_left_out("parameter-error") ? std::vector<std::string>{} : worth_releasing(fit, released, kLeastRelease, most);
     }
 
     /// Whether the unseen part shows again what the best set leaves.
@@ -188,7 +199,7 @@ class Search {
     void first_round() {
         std::vector<Starts> chosen = worth_refitting(result_.first_promises, result_.candidates, options_.least_promise, options_.refits);
         add_replacing(result_.first_promises, result_.candidates, chosen);
-        const std::vector<std::string> keys = worth_releasing(result_.retuned.fit, {}, kLeastRelease, 2);
+        const std::vector<std::string> keys = releasable(result_.retuned.fit, {}, 2);
         const double step = 0.4 / static_cast<double>(chosen.size() + keys.size() + 1);
         double share = 0.25;
         for (const Starts& starts : chosen) trials_.try_starts(result_.retuned.fit, starts, {}, {}, share += step);
@@ -227,7 +238,7 @@ class Search {
             const FittedSet& tried = trials_.try_starts(from.fit, starts, from.effects, from.released, share);
             if (tried.score() > highest) highest = tried.score(), winner = tried.effects.back();
         }
-        for (const std::string& key : worth_releasing(from.fit, from.released, kLeastRelease, 1)) {
+        for (const std::string& key : releasable(from.fit, from.released, 1)) {
             std::vector<std::string> released = from.released;
             released.push_back(key);
             trials_.try_set(from.fit, from.effects, released, share);

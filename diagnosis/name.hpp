@@ -14,6 +14,7 @@ namespace railpem::diagnosis {
 /// Thresholds of the search. Set by judgement on a few dozen marched and drawn recordings; calibrate_verdict measures their false alarms.
 struct NamingOptions {
     int most_effects = 3;
+    std::vector<std::string> without;  ///< effects that the catalogue shall not have: what would be said if nobody knew of them
     int refits = 7;             ///< candidates refitted in the first round
     int later_refits = 3;       ///< and in each further one
     double least_promise = 7.0; ///< nats to first order that deserve a refit
