@@ -1,5 +1,6 @@
 // What diagnose() says of recordings in which nothing is missing. One CSV row per synthesised null:
 //   calibrate_verdict CASE FIRST_SEED COUNT SECONDS PAYLOAD_KG SPEED_M_PER_S...
+//   calibrate_verdict --numbers CASE ...    retuned only, for the intervals of the numbers: a third of the time
 // Rows come as they are done and depend on their seed only, so that ranges of seeds can be run apart, stopped and continued.
 // Truths are drawn as the beliefs of the fit have them: numbers, irregularity, speeds and widths of lines Gaussian (a tolerance is a standard deviation), within what
 // a case may state.
@@ -14,6 +15,7 @@
 #include "app/diagnosis_inputs.hpp"
 #include "app/case_schema.hpp"
 #include "diagnosis/diagnose.hpp"
+#include "diagnosis/interval.hpp"
 #include "diagnosis/synthesis.hpp"
 
 namespace {
@@ -37,12 +39,40 @@ Truth truth_of(const diagnosis::BelievedCase& believed, const std::vector<diagno
     return truth;
 }
 
-void one(const diagnosis::BelievedCase& believed, const std::vector<diagnosis::Observation>& shapes, std::uint64_t seed) {
+struct Drawn {
+    Truth truth;
+    std::vector<diagnosis::Observation> observations;
+};
+
+Drawn draw(const diagnosis::BelievedCase& believed, const std::vector<diagnosis::Observation>& shapes, std::uint64_t seed) {
     std::mt19937_64 random(seed);
-    const Truth truth = truth_of(believed, shapes, random);
-    std::vector<diagnosis::Observation> drawn;
-    for (std::size_t o = 0; o < shapes.size(); ++o) drawn.push_back(diagnosis::synthesise(shapes[o], o, truth.trial, believed, seed));
-    const diagnosis::Diagnosis result = diagnosis::diagnose(believed, drawn, {});
+    Drawn drawn{.truth = truth_of(believed, shapes, random), .observations = {}};
+    for (std::size_t o = 0; o < shapes.size(); ++o) drawn.observations.push_back(diagnosis::synthesise(shapes[o], o, drawn.truth.trial, believed, seed));
+    return drawn;
+}
+
+/// What diagnose() does for the numbers of a case to which it adds nothing: retuned on the fitted part, then on everything.
+void numbers_of(const diagnosis::BelievedCase& believed, const std::vector<diagnosis::Observation>& shapes, std::uint64_t seed) {
+    const auto [truth, observations] = draw(believed, shapes, seed);
+    diagnosis::LikelihoodContext context{.believed = &believed, .observations = &observations, .part = diagnosis::Part::fitted, .least_floor = 0.0, .threads = 0};
+    const std::vector<diagnosis::Unknown> unknowns = diagnosis::nuisance_unknowns(believed, observations);
+    const diagnosis::Trial base = diagnosis::believed_trial(believed, observations);
+    const diagnosis::Fit near = diagnosis::fit(base, unknowns, diagnosis::means(unknowns), context);
+    context.part = diagnosis::Part::all;
+    const diagnosis::Fit fit = diagnosis::fit(base, unknowns, near.values, context, {.from_far = false});
+    long covered = 0, numbers = 0;
+    for (std::size_t u = 0; u < unknowns.size(); ++u) {
+        if (unknowns[u].kind != diagnosis::UnknownKind::number) continue;
+        ++numbers;
+        covered += std::abs(fit.values[u] - std::log(truth.factors.at(unknowns[u].name))) <= diagnosis::kNinety * fit.deviation(u);
+    }
+    std::printf("%llu,%ld,%ld\n", static_cast<unsigned long long>(seed), covered, numbers);
+    std::fflush(stdout);
+}
+
+void one(const diagnosis::BelievedCase& believed, const std::vector<diagnosis::Observation>& shapes, std::uint64_t seed) {
+    const auto [truth, observations] = draw(believed, shapes, seed);
+    const diagnosis::Diagnosis result = diagnosis::diagnose(believed, observations, {});
     std::string named;
     for (const diagnosis::NamedEffect& effect : result.omitted) named += (named.empty() ? "" : "+") + effect.instance.effect;
     long covered = 0;
@@ -58,8 +88,10 @@ void one(const diagnosis::BelievedCase& believed, const std::vector<diagnosis::O
 }  // namespace
 
 int main(int count, char** words) {
+    const bool numbers_only = count > 1 && std::string(words[1]) == "--numbers";
+    if (numbers_only) --count, ++words;
     if (count < 7) {
-        std::fprintf(stderr, "usage: %s CASE FIRST_SEED COUNT SECONDS PAYLOAD_KG SPEED_M_PER_S...\n", words[0]);
+        std::fprintf(stderr, "usage: calibrate_verdict [--numbers] CASE FIRST_SEED COUNT SECONDS PAYLOAD_KG SPEED_M_PER_S...\n");
         return 2;
     }
     const diagnosis::BelievedCase believed = app::believed_case(app::read_case(words[1], {}));
@@ -69,6 +101,11 @@ int main(int count, char** words) {
         const std::vector<std::string> channels = {"body_front", "body", "body_rear", "bogie_1", "bogie_2", "wheel_1", "wheel_2", "wheel_3", "wheel_4"};
         shapes.push_back(diagnosis::observation_shape(std::atof(words[i]), std::atof(words[5]), std::atof(words[4]), channels, believed.numbers, {}));
         shapes.back().name = std::string("at ") + words[i];
+    }
+    if (numbers_only) {
+        std::printf("seed,numbers_in_90_percent,numbers\n");
+        for (std::uint64_t seed = first; seed < first + nulls; ++seed) numbers_of(believed, shapes, seed);
+        return 0;
     }
     std::printf("seed,verdict,named,best_score_gain_nats,held_out_gain_nats,best_free_correction_nats,numbers_in_90_percent,numbers,seconds\n");
     for (std::uint64_t seed = first; seed < first + nulls; ++seed) one(believed, shapes, seed);

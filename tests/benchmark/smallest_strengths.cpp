@@ -1,5 +1,5 @@
 // From which strength on an effect shows, once the believed case has been retuned. One CSV row per effect and condition:
-//   smallest_strengths CASE SECONDS [EFFECT...]
+//   smallest_strengths CASE SECONDS [EFFECT or CONDITION...]     conditions: "one speed", "three speeds", "three speeds and irregularity"
 // The recordings are what the case with the effect predicts, without scatter: the log-evidence by which the effect then leads the retuned case is
 // what a drawn recording gives on average. The smallest strength is where it leads by VerdictThresholds::least_gain. Everything that an effect has beside its
 // strength is as the catalogue's typical instance, and known when its fit begins.
@@ -88,15 +88,27 @@ class Detecting {
         truth.effects.push_back(candidate.instance);
         const diagnosis::LikelihoodContext context{.believed = &believed_, .observations = &observations_, .part = diagnosis::Part::fitted, .least_floor = 0.0, .threads = 0};
         expect(truth, context);
-        const diagnosis::FittedSet retuned = diagnosis::fit_set(believed_, {}, {}, {}, {}, context, {});
         diagnosis::Fit near;
         near.unknowns = diagnosis::nuisance_unknowns(believed_, observations_);
         near.values = diagnosis::means(near.unknowns);
         const diagnosis::FittedSet named = diagnosis::fit_set(believed_, near, {candidate}, {}, {}, context, {.from_far = false});
-        return named.score() - retuned.score();
+        return named.score() - retuned(candidate, share, near, context).score();
     }
 
   private:
+    /// The case retuned to hide the candidate: from afar at first, then from where the last strength left it, moved in proportion.
+    diagnosis::FittedSet retuned(const diagnosis::Candidate& candidate, double share, diagnosis::Fit near, const diagnosis::LikelihoodContext& context) {
+        const std::string label = diagnosis::label_of(candidate.instance);
+        const bool known = label == last_label_;
+        for (std::size_t u = 0; known && u < near.values.size(); ++u)
+            near.values[u] = std::clamp(near.values[u] + share / last_share_ * (last_values_[u] - near.values[u]), near.unknowns[u].low, near.unknowns[u].high);
+        diagnosis::FittedSet set = diagnosis::fit_set(believed_, near, {}, {}, {}, context, {.from_far = !known});
+        last_label_ = label;
+        last_share_ = share;
+        last_values_ = set.fit.values;
+        return set;
+    }
+
     /// Estimates that are what `truth` predicts.
     void expect(const diagnosis::Trial& truth, const diagnosis::LikelihoodContext& context) {
         diagnosis::Trial sound = truth;
@@ -117,6 +129,9 @@ class Detecting {
 
     diagnosis::BelievedCase believed_;
     std::vector<diagnosis::Observation> observations_;
+    std::string last_label_;
+    double last_share_ = 1.0;
+    std::vector<double> last_values_;
 };
 
 double largest_share(const diagnosis::Candidate& candidate) {
@@ -156,7 +171,7 @@ void row(Detecting& detecting, const Condition& condition, const diagnosis::Cand
         for (const diagnosis::EffectParameter& parameter : effect.parameters)
             if (parameter.strength && instance.values.count(parameter.name)) {
                 char text[96];
-                std::snprintf(text, sizeof text, "%s%s=%.4g", smallest.empty() ? "" : " ", parameter.name.c_str(), instance.values.at(parameter.name));
+                std::snprintf(text, sizeof text, "%s%s=%.6g", smallest.empty() ? "" : " ", parameter.name.c_str(), instance.values.at(parameter.name));
                 smallest += text;
             }
     }
@@ -169,13 +184,16 @@ void row(Detecting& detecting, const Condition& condition, const diagnosis::Cand
 
 int main(int count, char** words) {
     if (count < 3) {
-        std::fprintf(stderr, "usage: %s CASE SECONDS [EFFECT...]\n", words[0]);
+        std::fprintf(stderr, "usage: %s CASE SECONDS [EFFECT or CONDITION...]\n", words[0]);
         return 2;
     }
     const diagnosis::BelievedCase believed = app::believed_case(app::read_case(words[1], {}));
-    const std::vector<std::string> wanted(words + 3, words + count);
+    std::vector<std::string> wanted, conditions;
+    for (int i = 3; i < count; ++i)
+        (std::any_of(kConditions.begin(), kConditions.end(), [&](const Condition& own) { return own.name == words[i]; }) ? conditions : wanted).emplace_back(words[i]);
     std::printf("effect,recordings,lead_at_typical_nats,smallest_over_typical,smallest\n");
     for (const Condition& condition : kConditions) {
+        if (!conditions.empty() && std::find(conditions.begin(), conditions.end(), condition.name) == conditions.end()) continue;
         Detecting detecting(believed, condition, std::atof(words[2]));
         for (const diagnosis::Candidate& candidate : detecting.typical())
             if (wanted.empty() || std::find(wanted.begin(), wanted.end(), candidate.instance.effect) != wanted.end()) row(detecting, condition, candidate);
