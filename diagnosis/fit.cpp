@@ -17,6 +17,7 @@ constexpr double kLongestStep = 3.0;      ///< in deviations of the belief
 constexpr double kLongestLogStep = 1.0;   ///< of noise and floor: far below what shows, their slope promises anything
 constexpr int kSettleIterations = 3;      ///< of noise and floor alone, after every step
 constexpr double kWorthSettling = 2.0;    ///< nats promised by a step, after which noise and floor are settled
+constexpr double kWorthFinishing = 0.1;  ///< of the gain at which a climb ends: what an undamped step has to promise to be made
 constexpr double kHope = 3.0;             ///< times its promise, a fit may still climb
 constexpr double kPace = 12.0;            ///< or times what its last step brought: a ridge is climbed in many equal steps
 constexpr double kSurprise = 1.5;         ///< times what a step promised
@@ -123,6 +124,17 @@ void settle(const std::vector<Unknown>& unknowns, const LikelihoodContext& conte
     }
 }
 
+/// The last step, undamped. Damping, in proportion to what the data say of each number alone, keeps a climb from moving all of them together: the common scale of vehicle
+/// and track, which only beliefs know, stayed where the climb had begun, a deviation off.
+void finish(const Trial& base, const std::vector<Unknown>& unknowns, const LikelihoodContext& context, double least_gain, Normal& normal, State& state) {
+    const Eigen::VectorXd step = damped_step(normal, state, unknowns, 0.0);
+    if (0.5 * step.dot(normal.gradient) < kWorthFinishing * least_gain) return;
+    State next = state_at(base, unknowns, moved(state, unknowns, step), context);
+    if (!(next.log_posterior > state.log_posterior)) return;
+    for (std::size_t u = 0; u < unknowns.size(); ++u) normal.gradient -= normal.curvature.col(static_cast<long>(u)) * (next.values[u] - state.values[u]);
+    state = std::move(next);
+}
+
 /// How a climb ended.
 enum class End { top, tired, hopeless };
 
@@ -132,7 +144,7 @@ End climb(const Trial& base, const std::vector<Unknown>& unknowns, const Likelih
     double gained = std::numeric_limits<double>::infinity(), promised = 0.0;  // by the last step
     for (int i = 0; i < most; ++i) {
         if (options.between) options.between();
-        const Normal normal = normal_equations(state, unknowns, differentiate(state.trial, unknowns, state.values, state.predictions, context), context);
+        Normal normal = normal_equations(state, unknowns, differentiate(state.trial, unknowns, state.values, state.predictions, context), context);
         ++iterations;
         bool better = false;
         while (damping < kMostDamping && !better) {
@@ -143,6 +155,7 @@ End climb(const Trial& base, const std::vector<Unknown>& unknowns, const Likelih
             // Only where the last step brought no more than it promised: a climb that surprises has not said yet how high it goes.
             const bool hopeless = gained < kSurprise * promised && state.log_posterior + std::max(kHope * promise, kPace * gained) + kHopeless < rival;
             if (promise < options.least_gain || flat || hopeless) {
+                if (last && !hopeless) finish(base, unknowns, context, options.least_gain, normal, state);
                 if (last) *last = normal;
                 return hopeless ? End::hopeless : End::top;
             }

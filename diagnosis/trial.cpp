@@ -29,6 +29,10 @@ constexpr double kScalarDiscrepancy = 0.05;     ///< relative, of a level: what 
 constexpr double kScalarDiscrepancyDeviation = 0.5;
 constexpr double kScaleDeviation = 10.0;        ///< of the log power of a channel without a scale: as good as anything
 
+/// The slopes of all numbers nearly cancel along their common scale. A difference over 1e-6 is off by 1e-8 of the information (bogie mass, primary damping), which moved the scale by a
+/// deviation; over 1e-8 rounding does as much.
+constexpr double kNumberStep = 1e-7;
+
 std::vector<double> spline_wavelengths(const std::vector<Observation>& observations) {
     double shortest = 1e300, longest = 0.0;
     for (const Observation& observation : observations) {
@@ -210,6 +214,7 @@ std::vector<Unknown> nuisance_unknowns(const BelievedCase& believed, const std::
                             .deviation = number.tolerance,
                             .low = std::log(0.05),
                             .high = std::log(20.0),
+                            .step = kNumberStep,
                             .set = [&access = believed.access, number](Trial& trial, double x) {
                                 access.set(trial.numbers, number.key, number.value * std::exp(x));
                             }});

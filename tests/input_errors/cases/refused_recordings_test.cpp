@@ -68,5 +68,14 @@ TEST(RefusedRecordings, SameEvidenceTwice) {
     EXPECT_TRUE(says(copy, "the same data file twice")) << copy.message;
 }
 
+TEST(RefusedRecordings, EffectThatTheCatalogueDoesNotHave) {
+    const ProgramFolder folder;
+    folder.write("case.toml", minimal_case());
+    const Outcome outcome = folder.run({"diagnose", "case.toml", "psd.toml", "--without", "body-bendin", "--out", "results"});
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_TRUE(says(outcome, "unknown effect 'body-bendin'")) << outcome.message;
+    EXPECT_TRUE(says(outcome, "did you mean 'body-bending'?")) << outcome.message;
+}
+
 }  // namespace
 }  // namespace railpem::tests
