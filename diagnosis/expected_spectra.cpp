@@ -192,6 +192,7 @@ ExpectedSpectra expected_spectra(const pem::CaseParameters& parameters, double s
                      {.first = grid.first, .count = grid.count, .first_bin = expected.first_bin, .bins = bins}, expected.values);
     for (const pem::DelayedSpectrum& source : pem::pad_distortion(reuse == Reuse::transfers ? known->pads : pads, excitation.broadband, wheels, speed))
         add_as_it_is(transfers, source, wheels, speed, bin, expected);
+    for (const pem::DelayedSpectrum& source : options.beside) add_as_it_is(transfers, source, wheels, speed, bin, expected);
     for (const pem::LineSet& set : excitation.lines) add_lines(parameters, transfers, set, kernel, expected);
     add_sensor_noise(parameters, channels, bin, expected);
     for (std::size_t b = 0; b < bins; ++b)

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "diagnosis/held_distortion.hpp"
 #include "parameters/parameter_error.hpp"
 #include "recordings/cross_spectra.hpp"
 
@@ -137,6 +138,7 @@ Observation observe(const recordings::Recording& recording, const std::string& n
         observation.unknown_scale.push_back(all.channels[channel.channel].scale == recordings::Scale::unknown);
         observation.noise_psd.push_back(quiet_level(all, channel.channel));
     }
+    hold_contact_distortion(observation, believed);
     return observation;
 }
 

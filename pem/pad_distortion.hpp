@@ -7,12 +7,13 @@
 
 #include "pem/coupled_model.hpp"
 #include "pem/excitation.hpp"
+#include "pem/second_order.hpp"
 
 namespace railpem::pem {
 
 /// What of the distortion does not depend on the excitation, at 1, 2, … Hz.
 struct PadTransfers {
-    std::vector<std::array<std::complex<double>, 8>> rail;  ///< displacement under wheels 1 and 2 per unit irregularity under each of the four; [wheel·4 + source]
+    BogieTransfers rail;             ///< displacement of the rail
     std::vector<double> response2;   ///< |½(κ/C³)·R·g|², as below
     double force_per_m2 = 0.0;       ///< ½κ/C³
     std::vector<RailGroup> rails;
@@ -22,12 +23,8 @@ struct PadTransfers {
 PadTransfers pad_transfers(const CaseParameters& parameters, const CoupledModel& model, const PadTransfers* same_track = nullptr);
 
 /// Second-order distortion. Under a load P0 + F(t) the rail sinks by w(P0) + C·F + ½κF² (track::loaded_deflection()); seen as a law of the pads under the wheel,
-/// their force lacks q = −½(κ/C³)·g∗y², y the rail's displacement there, g the shape of the pads in frequency, and the rail moves by R·q, which acts like an irregularity d_i under wheel i. Of Gaussian y
-/// with the two-sided cross-spectra S_ij, the delays between the wheels taken off,
-///   S_dd,ij(f) = |½(κ/C³)·R·g|²·2·∫ S_ij(f − g)·S_ij(g) dg
-/// (covariance of two squares, Isserlis 1918). What is alike under all wheels cannot be told from irregularity and is left out; what is not is the difference between the
-/// leading and the trailing wheel of a bogie, the same in both bogies: one source with the shares (1, −1, 1, −1) and a quarter of the power of d_1 − d_2. Tens of dB below the
-/// linear response, it decides what their coherence says (NullRecord.PadsThatStiffenUnderLoadDistort: whitened trace 1.47 without it). R is that of the wheel's own point, κ and C are those at rest frequency
+/// their force lacks q = −½(κ/C³)·g∗y², y the rail's displacement there, g the shape of the pads in frequency, and the rail moves by R·q, which acts like an irregularity d_i under wheel i:
+/// a source as second_order.hpp has it, the squares of y times |½(κ/C³)·R·g|². Tens of dB below the linear response, it decides what their coherence says (NullRecord.PadsThatStiffenUnderLoadDistort: whitened trace 1.47 without it). R is that of the wheel's own point, κ and C are those at rest frequency
 /// over a pad; third order is left out. Empty for empty transfers.
 std::vector<DelayedSpectrum> pad_distortion(const PadTransfers& transfers, const std::vector<DelayedSpectrum>& broadband, const std::vector<double>& wheels_m,
                                             double speed_m_per_s);

@@ -14,6 +14,10 @@ namespace railpem::diagnosis {
 inline double& number_at(pem::CaseParameters& c, const std::string& key) {
     const std::map<std::string, double*> numbers = {
         {"vehicle.body_mass_kg", &c.vehicle.body_mass_kg},
+        {"vehicle.body_pitch_inertia_kg_m2", &c.vehicle.body_pitch_inertia_kg_m2},
+        {"vehicle.bogie_pitch_inertia_kg_m2", &c.vehicle.bogie_pitch_inertia_kg_m2},
+        {"track.rail.second_moment_of_area_m4", &c.track.rail.second_moment_of_area_m4},
+        {"track.rail.mass_kg_per_m", &c.track.rail.mass_kg_per_m},
         {"vehicle.bogie_mass_kg", &c.vehicle.bogie_mass_kg},
         {"vehicle.wheelset_mass_kg", &c.vehicle.wheelset_mass_kg},
         {"vehicle.primary.stiffness_n_per_m", &c.vehicle.primary.stiffness_n_per_m},
@@ -31,7 +35,8 @@ inline double& number_at(pem::CaseParameters& c, const std::string& key) {
 
 /// Tolerances as a case file has them by default.
 inline double tolerance_of(const std::string& key) {
-    if (key.find("mass") != std::string::npos) return 0.05;
+    if (key.starts_with("track.rail")) return 0.02;
+    if (key.find("mass") != std::string::npos || key.find("inertia") != std::string::npos) return 0.05;
     if (key.starts_with("track.pads")) return 0.3;
     return key.find("damping") != std::string::npos || key.starts_with("contact") ? 0.15 : 0.1;
 }

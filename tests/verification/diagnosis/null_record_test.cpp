@@ -9,6 +9,7 @@
 
 #include "../pem/paper_case.hpp"
 #include "diagnosis/expected_spectra.hpp"
+#include "pem/contact_distortion.hpp"
 #include "recordings/cross_spectra.hpp"
 #include "simulate/simulate.hpp"
 
@@ -45,13 +46,14 @@ recordings::TimeSeries null_record(simulate::Mode mode, double seconds) {
     return with_noise(simulate::simulate(parameters, {.mode = mode, .seconds = seconds, .seed = 5, .linear_contact = mode == simulate::Mode::standing}));
 }
 
-double mean_trace(const recordings::TimeSeries& series, const pem::CaseParameters& model, double window_s, double speed = kSpeed) {
+double mean_trace(const recordings::TimeSeries& series, const pem::CaseParameters& model, double window_s, double speed = kSpeed,
+                  const std::vector<pem::DelayedSpectrum>& beside = {}) {
     const recordings::CrossSpectra measured = recordings::estimate_cross_spectra(series, {.window_s = window_s});
     const std::vector<diagnosis::ObservedChannel> channels = diagnosis::observed_channels(measured.channels, model);
     EXPECT_EQ(channels.size(), 9u);
     const std::vector<double> noise(channels.size(), kNoise * kNoise / (0.5 * series.sampling_rate_hz));
     const diagnosis::ExpectedSpectra expected =
-        diagnosis::expected_spectra(model, speed, measured.kernel(), channels, noise, {.low_hz = 4.0, .high_hz = 175.0});
+        diagnosis::expected_spectra(model, speed, measured.kernel(), channels, noise, {.low_hz = 4.0, .high_hz = 175.0, .beside = beside});
     const std::vector<double> trace = diagnosis::whitened_trace(expected, measured, channels);
     const double mean = std::accumulate(trace.begin(), trace.end(), 0.0) / static_cast<double>(trace.size());
     std::printf("window %4.1f s: tr/channels = %.4f\n", window_s, mean);
@@ -100,6 +102,22 @@ TEST(NullRecord, PadsThatStiffenUnderLoadDistort) {
         EXPECT_NEAR(mean_trace(series, model, 1.0, kFast), 1.0, 0.03);
         EXPECT_NEAR(mean_trace(series, model, 4.0, kFast), 1.0, 0.1);
     }
+}
+
+// A contact stiffens under the load of every moment, and the rougher the track the more. The record is the Hertzian march itself, on class 6 raised by 3 dB: without the source the trace is
+// 1.05, with it 1.02, and 1.00 is what the estimator's own scatter leaves it within (other tests here). At 6 dB wheels leave the rail, and no second order describes that.
+TEST(NullRecord, ContactsThatStiffenUnderLoadDistort) {
+    constexpr double kFast = 33.0;
+    pem::CaseParameters model = tests::paper_case(1);
+    model.running.speeds_m_per_s = {kFast};
+    model.irregularity.level_db = 3.0;
+    const recordings::TimeSeries series = with_noise(simulate::simulate(model, {.mode = simulate::Mode::moving, .seconds = 60.0, .seed = 5, .linear_contact = false}));
+    model.solver.moving = true;
+    model.sleeper_passing.amplitude_factor = 1.0;
+    model.running.speed_fluctuation = 1e-5;
+    const auto as_believed = [](double) { return 1.0; };
+    EXPECT_NEAR(mean_trace(series, model, 4.0, kFast, {pem::contact_distortion(model, kFast, as_believed)}), 1.0, 0.03);
+    EXPECT_GE(mean_trace(series, model, 4.0, kFast), 1.04);
 }
 
 }  // namespace
