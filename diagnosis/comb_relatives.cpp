@@ -5,10 +5,15 @@
 namespace railpem::diagnosis {
 
 double longest_comb_m(const std::vector<Observation>& observations) {
-    double longest = 0.0;
-    for (const Observation& observation : observations)
-        if (!observation.scalar) longest = std::max(longest, observation.speed_m_per_s / (2.0 * observation.kernel.bin_hz()));
-    return longest;
+    constexpr double kBinsApart = 1.5;  // a Hann window's lobe is 1.44 bins wide at half its power
+    double longest = std::numeric_limits<double>::infinity();
+    bool any = false;
+    for (const Observation& observation : observations) {
+        if (observation.scalar) continue;
+        any = true;
+        longest = std::min(longest, observation.speed_m_per_s / (kBinsApart * observation.kernel.bin_hz()));
+    }
+    return any ? longest : 0.0;
 }
 
 std::vector<EffectInstance> comb_relatives(const EffectInstance& fitted, double longest_m) {

@@ -9,7 +9,8 @@
 
 namespace railpem::diagnosis {
 
-/// Longest distance whose lines a window of some recording still tells apart: two of its bins. What is longer acts as irregularity without lines.
+/// Longest distance whose lines the windows of all recordings tell apart. A comb that is denser in one of them is there a noise of any shape, and was named for what the model lacked: every 42.5 m
+/// (a null), 55 m (stiffer pads) and 64 m (a wheel flat), at 15 m/s and more with windows of 4 s.
 double longest_comb_m(const std::vector<Observation>& observations);
 
 /// A comb of lines at n·v/d is met halfway by one of d/2 and wholly by one of 4·d: a fit that starts from afar ends in any of them. The

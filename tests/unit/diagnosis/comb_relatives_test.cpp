@@ -37,11 +37,11 @@ TEST(CombRelatives, StopWhereNoWindowTellsTheLinesApart) {
     EXPECT_FALSE(has_spacing(comb_relatives(joints(30.0), 50.0), 60.0));
 }
 
-// Windows of 4 s have bins of 0.25 Hz: at 30 m/s lines of 60 m are two bins apart.
-TEST(CombRelatives, TwoBinsOfTheFastestRunAreTheLongestDistance) {
+// Windows of 4 s have bins of 0.25 Hz: at 15 m/s lines of 40 m are one and a half bins apart.
+TEST(CombRelatives, TheSlowestRunHasToTellTheLinesApart) {
     Observation slow{.speed_m_per_s = 15.0}, fast{.speed_m_per_s = 30.0};
     slow.kernel = fast.kernel = {.window = recordings::Window::hann, .length = 4000, .sampling_rate_hz = 1000.0};
-    EXPECT_NEAR(longest_comb_m({slow, fast}), 60.0, 1e-12);
+    EXPECT_NEAR(longest_comb_m({slow, fast}), 40.0, 1e-12);
 }
 
 TEST(CombRelatives, WhatHasNoCombHasNone) {
