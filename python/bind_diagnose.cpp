@@ -22,12 +22,12 @@ struct Diagnosis {
 };
 
 std::unique_ptr<Diagnosis> diagnose(const Case& believed, const std::vector<std::filesystem::path>& paths, double window_s, double held_out, int most_effects,
-                                    int threads) {
+                                    const std::vector<std::string>& without, int threads) {
     if (!(window_s >= 0.25 && window_s <= 60.0)) throw app::InputError("window_s: no such window\nallowed: between 0.25 and 60 s");
     if (!(held_out >= 0.1 && held_out <= 0.5)) throw app::InputError("held_out: no such share\nallowed: between 0.1 and 0.5");
     if (most_effects < 1 || most_effects > 4) throw app::InputError("most_effects: cannot be so many\nallowed: between 1 and 4");
     if (paths.empty()) throw app::InputError("recordings: there is none\nallowed: at least one");
-    app::DiagnosisRequest request{.case_path = believed.path, .recordings = {}, .set = believed.changes, .window_s = window_s, .held_out = held_out,
+    app::DiagnosisRequest request{.case_path = believed.path, .recordings = {}, .without = without, .set = believed.changes, .window_s = window_s, .held_out = held_out,
                                   .threads = threads, .most_effects = most_effects};
     for (const std::filesystem::path& path : paths) request.recordings.push_back(path.string());
     return interruptible([&](Interruption& interruption) {
@@ -81,7 +81,8 @@ void bind_diagnose(py::module_& module) {
              "The case with the named physics; its irregularity is a file that save_diagnosis() writes beside it.")
         .def("save", &save_diagnosis, py::arg("folder"), "Every file that `railpem diagnose` writes; gives the folder.")
         .def("_json", [](const Diagnosis& self) { return app::diagnosis_json(self.result); });
-    module.def("_diagnose", &diagnose, py::arg("case"), py::arg("recordings"), py::arg("window_s"), py::arg("held_out"), py::arg("most_effects"), py::arg("threads"));
+    module.def("_diagnose", &diagnose, py::arg("case"), py::arg("recordings"), py::arg("window_s"), py::arg("held_out"), py::arg("most_effects"), py::arg("without"),
+               py::arg("threads"));
 }
 
 }  // namespace railpem::python

@@ -113,7 +113,8 @@ def simulate(case: Case, seconds: float, seed: int, *, hide: Sequence[Union[str,
 
 
 def diagnose(case: Case, recordings: Union[_Path, Sequence[_Path]], *, window_s: float = 4.0, held_out: float = 0.25, most_effects: int = 3,
-             threads: int = 0) -> Diagnosis:
-    """What the case left out, told from recordings: folders or descriptions, several speeds or loads together."""
+             without: Sequence[str] = (), threads: int = 0) -> Diagnosis:
+    """What the case left out, told from recordings: folders or descriptions, several speeds or loads together; `without`: effects that the
+    catalogue shall not have."""
     paths = [recordings] if isinstance(recordings, (str, _os.PathLike)) else list(recordings)
-    return _core._diagnose(case, paths, window_s, held_out, most_effects, threads)
+    return _core._diagnose(case, paths, window_s, held_out, most_effects, list(without), threads)

@@ -52,7 +52,8 @@ def test_inspect(program, tmp_path, believed, recording):
 
 
 def test_diagnose(tmp_path, believed, recording):
-    result = railpem.diagnose(believed, recording.save(tmp_path / "recording"), window_s=2.0, most_effects=1)
+    result = railpem.diagnose(believed, recording.save(tmp_path / "recording"), window_s=2.0, most_effects=1, without=["rail-joints"])
+    assert any(line.startswith("rail-joints: it was to be left out") for line in result.as_dict()["not_tested"])
     assert result.verdict == "recording-fault", result.statement
     assert [effect["effect"] for effect in result.as_dict()["omitted"]] == ["sensor-gain"]
     assert {channel["channel"] for channel in result.channels} == set(recording.names)
