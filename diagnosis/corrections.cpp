@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kNodes = 7;              ///< of a correction: one an octave
 constexpr double kDeviation = 0.3;     ///< of a correction: what is left out moves a place by tens of percent
-constexpr double kStep = 1e-6;
+constexpr double kStep = 1e-7;  ///< as of the numbers: what a correction shares with one has the same error
 
 /// The correction of a place of the structure, null for the others; of a constant case a constant one.
 template <class Case>

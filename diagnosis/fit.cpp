@@ -131,8 +131,9 @@ void finish(const Trial& base, const std::vector<Unknown>& unknowns, const Likel
     if (0.5 * step.dot(normal.gradient) < kWorthFinishing * least_gain) return;
     State next = state_at(base, unknowns, moved(state, unknowns, step), context);
     if (!(next.log_posterior > state.log_posterior)) return;
-    for (std::size_t u = 0; u < unknowns.size(); ++u) normal.gradient -= normal.curvature.col(static_cast<long>(u)) * (next.values[u] - state.values[u]);
     state = std::move(next);
+    // Anew, not by the curvature: what is projected on it later has the same errors of differences, and they cancel.
+    normal = normal_equations(state, unknowns, differentiate(state.trial, unknowns, state.values, state.predictions, context), context);
 }
 
 /// How a climb ended.
