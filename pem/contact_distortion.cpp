@@ -12,8 +12,6 @@ namespace railpem::pem {
 
 namespace {
 
-constexpr int kRailEvery = 2;
-
 double shortest_wave(const spectra::IrregularityParameters& irregularity) {
     double shortest = 1e300;
     for (const spectra::IrregularityBand& band : irregularity.bands) shortest = std::min(shortest, band.shortest_wavelength_m);
@@ -27,7 +25,7 @@ DelayedSpectrum contact_distortion(const CaseParameters& parameters, double spee
     const CoupledModel model = coupled_model(parameters, speed);
     const Excitation excited = excitation(parameters, wheels, speed);
     const auto lines = static_cast<std::size_t>(speed / shortest_wave(parameters.irregularity) / kSquareStep_hz);
-    std::vector<RailGroup> rails = rail_groups(model, kSquareStep_hz, kSquareStep_hz, lines, kRailEvery, 1);
+    std::vector<RailGroup> rails = rail_groups(model, kSquareStep_hz, kSquareStep_hz, lines, kSquareRailEvery, 1);
     const WheelTransfers force = wheel_transfers(model, kSquareStep_hz, kSquareStep_hz, lines, {response_index("contact_1"), response_index("contact_2")}, 1, &rails);
     BogieTransfers transfers(lines);
     for (std::size_t line = 0; line < lines; ++line) {

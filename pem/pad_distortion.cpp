@@ -17,8 +17,6 @@ namespace {
 
 using Phasor = std::complex<double>;
 
-constexpr int kRailEvery = 2;
-
 }  // namespace
 
 PadTransfers pad_transfers(const CaseParameters& parameters, const CoupledModel& model, const PadTransfers* same_track) {
@@ -31,7 +29,7 @@ PadTransfers pad_transfers(const CaseParameters& parameters, const CoupledModel&
     } else {
         const track::LoadedDeflection loaded = track::loaded_deflection(parameters.track, wheel_load_n(parameters));
         transfers.force_per_m2 = 0.5 * loaded.curvature_m_per_n2 / std::pow(loaded.compliance_m_per_n, 3);
-        transfers.rails = rail_groups(model, kSquareStep_hz, kSquareStep_hz, lines, kRailEvery, 1);
+        transfers.rails = rail_groups(model, kSquareStep_hz, kSquareStep_hz, lines, kSquareRailEvery, 1);
     }
     const WheelTransfers rail = wheel_transfers(model, kSquareStep_hz, kSquareStep_hz, lines, {response_index("rail_1"), response_index("rail_2")}, 1, &transfers.rails);
     for (std::size_t line = 0; line < lines; ++line) {

@@ -14,6 +14,7 @@ namespace railpem::pem {
 using BogieTransfers = std::vector<std::array<std::complex<double>, 8>>;
 
 inline constexpr double kSquareStep_hz = 1.0;  ///< of the lines of BogieTransfers
+inline constexpr int kSquareRailEvery = 2;       ///< the rail is solved at every second of them
 
 /// Of Gaussian y with the two-sided cross-spectra S_ij, the delays between the wheels taken off, the squares have the cross-spectra 2·∫ S_ij(f − g)·S_ij(g) dg (Isserlis 1918). What is
 /// alike under all wheels cannot be told from irregularity and is left out; what is not is the difference between leading and trailing wheel of a bogie, the same in both bogies: one source
