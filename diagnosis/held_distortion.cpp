@@ -55,7 +55,7 @@ void hold_contact_distortion(Observation& observation, const pem::CaseParameters
     parameters.frequency.to_hz = observation.expectation.high_hz;
     observation.expectation.beside.clear();
     const ExpectedSpectra expected = expected_spectra(parameters, observation.speed_m_per_s, observation.kernel, observation.channels, {}, observation.expectation);
-    std::vector<double> ratio = ratio_of(power_of(observation, observation.all.values), power_of(observation, expected.values), observation.first_bin());
+    const std::vector<double> ratio = ratio_of(power_of(observation, observation.all.values), power_of(observation, expected.values), observation.first_bin());
     const double bin_hz = observation.kernel.bin_hz();
     const auto first = static_cast<long>(observation.first_bin());
     const auto at = [&](double frequency) {

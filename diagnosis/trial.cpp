@@ -30,7 +30,7 @@ constexpr double kScalarDiscrepancyDeviation = 0.5;
 constexpr double kScaleDeviation = 10.0;        ///< of the log power of a channel without a scale: as good as anything
 
 /// The slopes of all numbers nearly cancel along their common scale. A difference over 1e-6 is off by 1e-8 of the information (bogie mass, primary damping), which moved the scale by a
-/// deviation; over 1e-8 rounding does as much.
+/// deviation; over 1e-8 rounding does a third of that.
 constexpr double kNumberStep = 1e-7;
 
 std::vector<double> spline_wavelengths(const std::vector<Observation>& observations) {

@@ -1,6 +1,6 @@
 // What diagnose() says of recordings in which nothing is missing. One CSV row per synthesised null:
 //   calibrate_verdict CASE FIRST_SEED COUNT SECONDS PAYLOAD_KG SPEED_M_PER_S...
-//   calibrate_verdict --numbers CASE ...    retuned only, for the intervals of the numbers: a third of the time
+//   calibrate_verdict --numbers CASE ...    retuned only, without a search: for the intervals of the numbers
 // Rows come as they are done and depend on their seed only, so that ranges of seeds can be run apart, stopped and continued.
 // Truths are drawn as the beliefs of the fit have them: numbers, irregularity, speeds and widths of lines Gaussian (a tolerance is a standard deviation), within what
 // a case may state.
