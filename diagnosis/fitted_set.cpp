@@ -15,7 +15,7 @@ constexpr double kLogPriorOfUnknown = -3.0;     ///< and one time in twenty some
 double prior_of(const FittedSet& set, std::size_t numbers) {
     double sum = 0.0;
     for (const Candidate& candidate : set.effects) sum += candidate.log_prior;
-    for (std::size_t i = 0; i < set.released.size(); ++i) sum -= std::log(static_cast<double>(effects().size() * numbers));
+    for (std::size_t i = 0; i < set.released.size(); ++i) sum -= std::log(static_cast<double>(numbers));  // a case has a wrong number as often as it lacks physics
     if (set.members() > 0 || !set.anonymous.empty()) sum += kLogPriorOfSomething;
     if (set.members() > 1) sum += kLogPriorOfAnother * static_cast<double>(set.members() - 1);
     if (!set.anonymous.empty()) sum += kLogPriorOfUnknown;

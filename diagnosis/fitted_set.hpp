@@ -11,7 +11,7 @@
 
 namespace railpem::diagnosis {
 
-inline constexpr double kReleasedDeviation = 1.15;     ///< half of log 10: a factor between a tenth and ten
+inline constexpr double kReleasedDeviation = 0.7;      ///< half of log 4: a number that is wrong is so by a factor between a quarter and four
 
 /// A supposition that was fitted: effects added, numbers released from their tolerances, or a free correction of a place.
 struct FittedSet {
