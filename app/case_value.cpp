@@ -63,9 +63,10 @@ std::vector<std::string> case_keys(const CaseFile& file) {
 }
 
 InputError unknown_case_key(const CaseFile& file, const std::string& key) {
-    const std::string near = nearest_key(key, case_keys(file));
-    return InputError(fmt::format("{}: the case has no key '{}'\nallowed: a dotted key; railpem describe case lists them{}", file.document.name, key,
-                                  near.empty() ? "" : fmt::format("\ndid you mean '{}'?", near)));
+    return input_error(file.document.name, "", {},
+                       {.what = fmt::format("the case has no key '{}'", key),
+                        .allowed = "a dotted key; railpem describe case lists them",
+                        .hint = did_you_mean(key, case_keys(file))});
 }
 
 }  // namespace railpem::app

@@ -35,9 +35,7 @@ void check_verb(const CLI::App& program, int argc, const char* const* argv) {
     if (argc < 2) throw InputError("railpem: no verb\nallowed: " + joined(names) + "; railpem --help says more");
     const std::string first = argv[1];
     if (first.starts_with("-") || std::find(names.begin(), names.end(), first) != names.end()) return;
-    const std::string near = nearest_key(first, names);
-    throw InputError(fmt::format("railpem: unknown verb '{}'\nallowed: {}{}", first, joined(names),
-                                 near.empty() ? "" : fmt::format("\ndid you mean '{}'?", near)));
+    throw unknown_name("railpem", "verb", first, names);
 }
 
 /// Options of a verb, as the user types them.
@@ -56,10 +54,10 @@ InputError refused_arguments(const CLI::App& program, const CLI::ParseError& err
     if (extras.empty())
         return InputError(fmt::format("{}: {}\nallowed: {}; {} --help says more", name, error.what(),
                                       joined(option_names(verb)), name));
-    const std::string near = nearest_key(extras.front(), option_names(verb));
-    return InputError(fmt::format("{}: unknown argument '{}'\nallowed: {}; {} --help says more{}", name, extras.front(),
-                                  joined(option_names(verb)), name,
-                                  near.empty() ? "" : fmt::format("\ndid you mean '{}'?", near)));
+    return input_error("", "", {.option = name},
+                       {.what = fmt::format("unknown argument '{}'", extras.front()),
+                        .allowed = fmt::format("{}; {} --help says more", joined(option_names(verb)), name),
+                        .hint = did_you_mean(extras.front(), option_names(verb))});
 }
 
 int say(const std::string& message, int status) {

@@ -58,10 +58,7 @@ void check_without(const DiagnosisRequest& request) {
     std::vector<std::string> known;
     for (const diagnosis::Effect& effect : diagnosis::effects()) known.push_back(effect.id);
     for (const std::string& id : request.without) {
-        if (std::find(known.begin(), known.end(), id) != known.end()) continue;
-        const std::string near = nearest_key(id, known);
-        throw input_error("", "", {.option = "--without"},
-                          {.what = fmt::format("unknown effect '{}'", id), .allowed = joined(known), .hint = near.empty() ? "" : fmt::format("did you mean '{}'?", near)});
+        if (std::find(known.begin(), known.end(), id) == known.end()) throw unknown_name("--without", "effect", id, known);
     }
 }
 

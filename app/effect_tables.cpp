@@ -125,11 +125,10 @@ void settle_keys(const Document& document, const diagnosis::ParameterAccess& acc
         key = key_text(key_steps(key));
         if (std::find(access.keys.begin(), access.keys.end(), key) != access.keys.end()) continue;
         const Node& table = document.root.find("effect")->node.elements[index];
-        const std::string near = nearest_key(key, access.keys);
         throw document.error(table.find(choice.name)->node.place,
                              {.what = fmt::format("the case has no physical number '{}'", stated),
                               .allowed = "a dotted key of a number that the case states or has by default",
-                              .hint = near.empty() ? "" : fmt::format("did you mean '{}'?", near)});
+                              .hint = did_you_mean(key, access.keys)});
     }
 }
 

@@ -22,15 +22,6 @@ InputError refused_option(const ParameterError& error) {
     return input_error("", "", {.option = key}, {.what = error.problem(), .allowed = error.allowed(), .hint = ""});
 }
 
-InputError unknown_name(const std::string& option, const std::string& what, const std::string& name,
-                        const std::vector<std::string>& known) {
-    const std::string near = nearest_key(name, known);
-    return input_error("", "", {.option = option},
-                       {.what = fmt::format("unknown {} '{}'", what, name),
-                        .allowed = joined(known),
-                        .hint = near.empty() ? "" : fmt::format("did you mean '{}'?", near)});
-}
-
 const HiddenEffect& find_effect(const std::string& option, const std::string& id) {
     std::vector<std::string> known;
     for (const HiddenEffect& effect : simulate::hidden_effects()) {
@@ -79,11 +70,10 @@ void scale_number(pem::CaseParameters& parameters, const std::string& key, doubl
         number.set(parameters, value);
         return;
     }
-    const std::string near = nearest_key(key, known);
     throw input_error("", "", {.option = option},
                       {.what = "the case has no such number",
                        .allowed = "a dotted key of a number; railpem describe case lists them",
-                       .hint = near.empty() ? "" : fmt::format("did you mean '{}'?", near)});
+                       .hint = did_you_mean(key, known)});
 }
 
 std::string parameter_line(const HiddenParameter& p) {

@@ -1,8 +1,12 @@
 #include "app/nearest_key.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <string_view>
+
+#include "app/schema.hpp"
 
 namespace railpem::app {
 
@@ -59,6 +63,15 @@ std::string nearest_key(const std::string& unknown, const std::vector<std::strin
         }
     }
     return nearest;
+}
+
+std::string did_you_mean(const std::string& unknown, const std::vector<std::string>& known) {
+    const std::string near = nearest_key(unknown, known);
+    return near.empty() ? "" : fmt::format("did you mean '{}'?", near);
+}
+
+InputError unknown_name(const std::string& option, const std::string& what, const std::string& name, const std::vector<std::string>& known) {
+    return input_error("", "", {.option = option}, {.what = fmt::format("unknown {} '{}'", what, name), .allowed = joined(known), .hint = did_you_mean(name, known)});
 }
 
 }  // namespace railpem::app

@@ -106,11 +106,10 @@ void read_keyed_numbers(const Reading& reading, const Node& node, const KeyedNum
         }
         const FieldSchema* field = find_field(reading.root, key_steps(key));
         if (!field || (field->description.kind != Kind::number && field->description.kind != Kind::numbers)) {
-            const std::string near = nearest_key(key, number_keys(reading.root));
             refuse(reading, entry.place,
                    {.what = fmt::format("[{}] names '{}', which is not a number of this file", schema.name, key),
                     .allowed = "the dotted key of a number, such as " + number_keys(reading.root).front(),
-                    .hint = near.empty() ? "" : fmt::format("did you mean '{}'?", near)});
+                    .hint = did_you_mean(key, number_keys(reading.root))});
         }
         Description description = field->description;
         description.kind = Kind::number;

@@ -86,10 +86,9 @@ Varied varied_number(const Document& document, std::size_t index, const std::str
         if (number.key == key || key_text(steps) == key_text(key_steps(key))) return {number.description, number.set};
         known.push_back(number.key);
     }
-    const std::string near = nearest_key(key, known);
     throw refused_in(document, "vary", index, "key",
                      {.what = fmt::format("the case has no number '{}'", key), .allowed = "a dotted key of a number; railpem describe case lists them",
-                      .hint = near.empty() ? "" : fmt::format("did you mean '{}'?", near)});
+                      .hint = did_you_mean(key, known)});
 }
 
 std::vector<double> stepped_values(const VarySection& vary) {
@@ -143,10 +142,9 @@ std::vector<pem::SweepQuantity> read_quantities(const Document& document, const 
     for (std::size_t i = 0; i < description.keep.size(); ++i) {
         const KeepSection& keep = description.keep[i];
         if (std::find(known.begin(), known.end(), keep.response) == known.end()) {
-            const std::string near = nearest_key(keep.response, known);
             throw refused_in(document, "keep", i, "response",
                              {.what = fmt::format("there is no response '{}'", keep.response), .allowed = joined(known),
-                              .hint = near.empty() ? "" : fmt::format("did you mean '{}'?", near)});
+                              .hint = did_you_mean(keep.response, known)});
         }
         quantities.push_back({keep.response, keep.quantity});
     }

@@ -29,9 +29,8 @@ int describe(const std::string& subject) {
     if (page == pages().end()) {
         std::vector<std::string> names;
         for (const auto& [name, unused] : pages()) names.push_back(name);
-        const std::string near = nearest_key(subject, names);
-        throw InputError(fmt::format("railpem describe: no page about '{}'\nallowed: {}{}", subject, joined(names),
-                                     near.empty() ? "" : fmt::format("\ndid you mean '{}'?", near)));
+        throw input_error("", "", {.option = "railpem describe"},
+                          {.what = fmt::format("no page about '{}'", subject), .allowed = joined(names), .hint = did_you_mean(subject, names)});
     }
     std::fputs(page->second().c_str(), stdout);
     return 0;

@@ -10,6 +10,7 @@ their own. Strengths are the catalogue's typical ones, or those of HIDDEN where 
 import argparse
 import csv
 import json
+import math
 import os
 import random
 import resource
@@ -54,13 +55,16 @@ def arguments():
     parser.add_argument("--effects", nargs="*", default=list(HIDDEN))
     parser.add_argument("--speeds", nargs="*", default=["15", "22.2222", "33"])
     parser.add_argument("--threads", default="1")
+    parser.add_argument("--numbers", choices=["even", "believed"], default="even",
+                        help="how the numbers are off: evenly within their tolerances, or as the fit believes them (the logarithm Gaussian, a tolerance its deviation)")
     return parser.parse_args()
 
 
 def march(options, effect, seed, folder):
     """Records of one trial; (folders, truth of the effects, truth of the numbers)."""
     draw = random.Random(f"{effect} {seed}")
-    numbers = {key: value * (1 + tolerance * draw.uniform(-1, 1)) for key, (value, tolerance) in UNCERTAIN.items()}
+    off = {"even": lambda tolerance: 1 + tolerance * draw.uniform(-1, 1), "believed": lambda tolerance: math.exp(tolerance * draw.gauss(0, 1))}[options.numbers]
+    numbers = {key: value * off(tolerance) for key, (value, tolerance) in UNCERTAIN.items()}
     hide = [word for one in HIDDEN[effect] for word in ("--hide", one)]
     runs, truth = [], []
     for i, speed in enumerate(options.speeds):
