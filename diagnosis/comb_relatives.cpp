@@ -16,12 +16,37 @@ double longest_comb_m(const std::vector<Observation>& observations) {
     return any ? longest : 0.0;
 }
 
+namespace {
+
+/// The distance of a comb of lines among the parameters of an effect, where the instance states one; null otherwise.
+const EffectParameter* comb_of(const EffectInstance& instance) {
+    const Effect& effect = *find_effect(instance.effect);
+    const auto comb = std::find_if(effect.parameters.begin(), effect.parameters.end(), [](const EffectParameter& parameter) { return parameter.comb; });
+    return comb == effect.parameters.end() || !instance.values.count(comb->name) ? nullptr : &*comb;
+}
+
+}  // namespace
+
+std::vector<EffectInstance> comb_decoys(const EffectInstance& fitted) {
+    constexpr double kAside = 1.037;  // from the fourteenth line on by more than half of their distance, of which no multiple is another's
+    const EffectParameter* comb = comb_of(fitted);
+    std::vector<EffectInstance> decoys;
+    if (!comb) return decoys;
+    for (const double ratio : {kAside, 1.0 / kAside}) {
+        const double distance = ratio * fitted.values.at(comb->name);
+        if (distance < comb->low || distance > comb->high) continue;
+        decoys.push_back(fitted);
+        decoys.back().values[comb->name] = distance;
+    }
+    return decoys;
+}
+
 std::vector<EffectInstance> comb_relatives(const EffectInstance& fitted, double longest_m) {
     constexpr double kRatios[] = {1.0 / 2.0, 1.0 / 3.0, 1.0 / 4.0, 1.0 / 5.0, 2.0, 3.0};
     const Effect& effect = *find_effect(fitted.effect);
-    const auto comb = std::find_if(effect.parameters.begin(), effect.parameters.end(), [](const EffectParameter& parameter) { return parameter.comb; });
+    const EffectParameter* comb = comb_of(fitted);
     std::vector<EffectInstance> relatives;
-    if (comb == effect.parameters.end() || !fitted.values.count(comb->name)) return relatives;
+    if (!comb) return relatives;
     for (const double ratio : kRatios) {
         const double distance = ratio * fitted.values.at(comb->name);
         if (distance < comb->low || distance > std::min(comb->high, longest_m)) continue;

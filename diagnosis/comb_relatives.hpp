@@ -19,4 +19,7 @@ double longest_comb_m(const std::vector<Observation>& observations);
 /// are left out.
 std::vector<EffectInstance> comb_relatives(const EffectInstance& fitted, double longest_m = std::numeric_limits<double>::infinity());
 
+/// The fitted instance with lines where there should be none: its distance 1.037 times as long and as short. What gains as much there is no comb. Empty for effects without one.
+std::vector<EffectInstance> comb_decoys(const EffectInstance& fitted);
+
 }  // namespace railpem::diagnosis

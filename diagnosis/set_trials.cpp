@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "diagnosis/best_start.hpp"
 #include "diagnosis/comb_relatives.hpp"
@@ -14,6 +15,8 @@ constexpr int kBluntRetuning = 8;
 constexpr double kFar = 50.0;  ///< nats that a start may lie below the fit that it starts from and still be near
 constexpr int kFarIterations = 4;
 constexpr int kContinuations = 3;
+constexpr int kDecoyIterations = 6;
+constexpr double kDecoyShare = 0.5;  ///< of what a comb gains, that lines in other places gain too
 
 /// Gives the last effect of a fit other values.
 void move_last(Fit& fit, const EffectInstance& values) {
@@ -78,11 +81,31 @@ const FittedSet& SetTrials::try_starts(const Fit& near, const Starts& starts, st
     members.push_back(best.candidate);
     // What replaces a law of the case begins far below it, however mild: it gets the way of the retuned case, blunt first.
     const bool far = best.log_posterior < near.log_posterior - kFar;
+    const std::size_t first = result_.sets.size();
     try_set(best.near, std::move(members), std::move(released), share, far);
-    return try_relatives(result_.sets.size() - 1, share);
+    try_relatives(first, share);
+    const auto better = [](const FittedSet& a, const FittedSet& b) { return a.score() < b.score(); };
+    for (std::size_t i = first; i < result_.sets.size(); ++i) refuse_noise(i, near, share);
+    return *std::max_element(result_.sets.begin() + static_cast<long>(first), result_.sets.end(), better);
 }
 
-const FittedSet& SetTrials::try_relatives(std::size_t index, double share) {
+void SetTrials::refuse_noise(std::size_t index, const Fit& near, double share) {
+    const FittedSet& comb = result_.sets[index];
+    const double gain = comb.fit.log_likelihood - near.log_likelihood;
+    if (gain < options_.least_gain) return;
+    FitOptions fit_options{.iterations = kDecoyIterations, .from_far = false};
+    fit_options.between = [this, share] { say("a decoy", share); };
+    for (const EffectInstance& decoy : comb_decoys(comb.fit.trial.effects.back())) {
+        Fit moved = values_of(comb.fit);
+        move_last(moved, decoy);
+        const FittedSet other = fit_set(believed_, moved, comb.effects, comb.released, {}, context_, fit_options);
+        if (other.fit.log_likelihood - near.log_likelihood < kDecoyShare * gain) continue;
+        result_.sets[index].log_prior = -std::numeric_limits<double>::infinity();
+        return;
+    }
+}
+
+void SetTrials::try_relatives(std::size_t index, double share) {
     const FittedSet& fitted = result_.sets[index];
     const std::vector<Candidate> members = fitted.effects;
     const std::vector<std::string> released = fitted.released;
@@ -94,9 +117,7 @@ const FittedSet& SetTrials::try_relatives(std::size_t index, double share) {
         const Supposition supposition = suppose(believed_, near, members, released, {}, context_);
         if (const double own = log_posterior_at(supposition.trial, supposition.unknowns, supposition.start, context_); own > highest) highest = own, best = std::move(near);
     }
-    if (best.unknowns.empty()) return fitted;
-    const FittedSet& other = try_set(best, members, released, share);
-    return other.score() > result_.sets[index].score() ? other : result_.sets[index];
+    if (!best.unknowns.empty()) try_set(best, members, released, share);
 }
 
 void SetTrials::finish_best(std::size_t members) {

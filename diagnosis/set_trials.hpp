@@ -31,7 +31,8 @@ class SetTrials {
     /// Fits one set from a fit near it. `far`: with the likelihood blunted first, in few steps of each stage.
     const FittedSet& try_set(const Fit& near, std::vector<Candidate> members, std::vector<std::string> released, double share, bool far = false);
 
-    /// Fits the best start of a variant beside `members`; a comb of lines also from the best of the distances that share lines with it. The better.
+    /// Fits the best start of a variant beside `members`; a comb of lines also from the best of the distances that share lines with it. The better. A comb that gains hardly more over `near` than
+    /// its decoys (comb_decoys()) is a noise of its shape, and cannot be: its score is −∞.
     const FittedSet& try_starts(const Fit& near, const Starts& starts, std::vector<Candidate> members, std::vector<std::string> released, double share);
 
     /// A fit of the best set of so many members that ran out of steps goes on: what it has left to gain would be put down to the next member.
@@ -54,7 +55,8 @@ class SetTrials {
     void sort();
 
   private:
-    const FittedSet& try_relatives(std::size_t index, double share);
+    void try_relatives(std::size_t index, double share);
+    void refuse_noise(std::size_t index, const Fit& near, double share);
     const Fit& most_probable() const;
 
     const BelievedCase& believed_;

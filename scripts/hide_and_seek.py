@@ -103,6 +103,12 @@ def in_words(value):
     return f"{value['value']:.4g}[{value['low']:.4g},{value['high']:.4g}]" if "low" in value else str(value["value"] if isinstance(value, dict) else value)
 
 
+def sits_at(hidden, element):
+    """Whether what was hidden sits in an element; a wrong number where its key says."""
+    key = hidden["parameters"].get("parameter")
+    return element in key.replace("wheelset", "wheel") if key else hidden["place"].startswith(element)
+
+
 def line_of(effect, seed, options, truth, numbers, found):
     named = sorted(own["effect"] for own in found["omitted"])
     hidden = sorted(own["effect"] for own in truth)
@@ -128,7 +134,7 @@ def line_of(effect, seed, options, truth, numbers, found):
         "verdict": found["verdict"], "named": " + ".join(named),
         "found": "; ".join(own["effect"] + " " + " ".join(f"{k}={in_words(v)}" for k, v in own["parameters"].items()) + f" ({own['nats_fitted']:.0f} nats)" for own in found["omitted"]),
         "rivals": " | ".join(" + ".join(r) for r in rivals if found["verdict"] == "ambiguous"),
-        "first_place": first, "set_right": int(right), "place_right": "" if not truth else int(any(own["place"].startswith(first) for own in truth)),
+        "first_place": first, "set_right": int(right), "place_right": "" if not truth else int(any(sits_at(own, first) for own in truth)),
         "intervals_right": inside, "intervals": total, "numbers_right": sum(n["low"] <= numbers[n["key"]] <= n["high"] for n in covered), "numbers": len(covered),
         "held_out_gain_nats_per_s": f'{fit["held_out_after"]["log_likelihood_per_second"] - fit["held_out_retuned"]["log_likelihood_per_second"]:.3g}',
         "retuned_rms_db": f'{fit["retuned"]["rms_db"]:.3g}'}

@@ -48,5 +48,17 @@ TEST(CombRelatives, WhatHasNoCombHasNone) {
     EXPECT_TRUE(comb_relatives({.effect = "body-bending", .values = {{"frequency_hz", 9.0}}, .choices = {}}).empty());
 }
 
+// 1.037: from the fourteenth line on more than half of their distance aside.
+TEST(CombRelatives, DecoysHaveTheirLinesBetweenThoseOfTheComb) {
+    const std::vector<EffectInstance> decoys = comb_decoys(joints(30.0));
+    ASSERT_EQ(decoys.size(), 2U);
+    for (const EffectInstance& decoy : decoys) {
+        const double line = 14.0 * 30.0 / decoy.values.at("spacing_m");  // in lines of the comb
+        EXPECT_NEAR(std::abs(line - std::round(line)), 0.5, 0.02);
+        EXPECT_EQ(decoy.values.at("depth_m"), joints(30.0).values.at("depth_m"));
+    }
+    EXPECT_TRUE(comb_decoys({.effect = "body-bending", .values = {{"frequency_hz", 9.0}}, .choices = {}}).empty());
+}
+
 }  // namespace
 }  // namespace railpem::diagnosis

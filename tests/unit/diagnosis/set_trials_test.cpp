@@ -1,0 +1,56 @@
+// What the fits of the search make of a comb of lines.
+
+#include "diagnosis/set_trials.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+#include "diagnosis/screen.hpp"
+#include "tests/unit/diagnosis/synthesised_fixture.hpp"
+
+namespace railpem::diagnosis {
+namespace {
+
+constexpr ObservationOptions kFine{.window_s = 4.0, .low_hz = 4.0, .high_hz = 80.0};
+
+/// The set that dips every `spacing_m` make when they are fitted to records of two speeds in which `hidden` is.
+FittedSet fitted_dips(const EffectInstance& hidden, double spacing_m) {
+    Synthesised made = synthesised(paper_believed({"vehicle.bogie_mass_kg"}), {15.0, 22.0}, 60.0, {"bogie_1", "wheel_1", "wheel_2"}, kFine);
+    made.truth.effects = {hidden};
+    made.draw(1);
+    const LikelihoodContext context = made.context();
+    const NamingOptions options;
+    NamingResult result;
+    SetTrials trials(made.believed, context, options, result);
+    trials.retune();
+    const CandidateList list = candidates(made.believed, result.retuned.fit.trial, made.observations);
+    const auto joints = std::find_if(list.candidates.begin(), list.candidates.end(), [](const Candidate& own) { return own.instance.effect == "rail-joints"; });
+    result.candidates = {*joints};
+    for (EffectInstance* instance : {&result.candidates[0].instance, &result.candidates[0].probe}) instance->values["spacing_m"] = spacing_m, instance->values["length_m"] = 0.3;
+    const std::vector<Promise> promises = screen(result.retuned.fit, result.candidates, context);
+    const FittedSet& best = trials.try_starts(result.retuned.fit, {promises.front()}, {}, {}, 0.0);
+    std::printf("dips every %.1f m bring %.0f nats, score %.0f\n", spacing_m, best.fit.log_likelihood - result.retuned.fit.log_likelihood, best.score() - result.retuned.score());
+    return best;
+}
+
+// A narrow band of roughness that the smooth irregularity does not take: lines every 0.62 and 0.91 Hz bring some 50 nats, in whatever places they are.
+TEST(SetTrials, ACombThatIsANoiseCannotBe) {
+    for (const auto& [wavelength_m, bandwidth] : {std::pair{0.35, 0.03}, {0.6, 0.1}}) {
+        const FittedSet dips = fitted_dips({.effect = "rail-corrugation", .values = {{"wavelength_m", wavelength_m}, {"relative_bandwidth", bandwidth}, {"rms_m", 1e-3}}, .choices = {}}, 24.3);
+        EXPECT_TRUE(std::isfinite(dips.fit.log_evidence));
+        EXPECT_TRUE(std::isinf(dips.score())) << wavelength_m;
+    }
+}
+
+// 271 nats: lines where there should be none gain less than half of it.
+TEST(SetTrials, ACombThatIsThereStays) {
+    const FittedSet dips = fitted_dips({.effect = "rail-joints", .values = {{"spacing_m", 24.3}, {"depth_m", 1e-3}, {"length_m", 0.5}}, .choices = {}}, 24.3);
+    EXPECT_TRUE(std::isfinite(dips.score()));
+}
+
+}  // namespace
+}  // namespace railpem::diagnosis
