@@ -40,7 +40,7 @@ HIDDEN = {
     "primary-damper-series-stiffness": ["primary-damper-series-stiffness"], "secondary-damper-series-stiffness": ["secondary-damper-series-stiffness"],
     "suspension-friction": ["suspension-friction:stage=primary,force_n=1000"], "contact-nonlinearity": ["contact-nonlinearity"],
     "contact-filter": ["contact-filter"], "sensor-gain": ["sensor-gain:channel=bogie_1,gain=1.05"], "sensor-resonance": ["sensor-resonance:channel=axlebox_2"],
-    "sensor-noise": ["sensor-noise:channel=bogie_2"], "timing-skew": ["timing-skew:channel=axlebox_3,delay_s=0.001"],
+    "sensor-noise": ["sensor-noise:channel=bogie_2,slope_db_per_octave=-3"], "timing-skew": ["timing-skew:channel=axlebox_3,delay_s=0.001"],
     "parameter-error": ["parameter-error:parameter=vehicle.primary.stiffness_n_per_m,factor=1.6"]}
 COLUMNS = ["hidden", "seed", "speeds_m_per_s", "truth", "verdict", "named", "found", "rivals", "first_place", "set_right", "place_right", "intervals_right", "intervals",
            "numbers_right", "numbers", "held_out_gain_nats_per_s", "retuned_rms_db", "wall_s", "cpu_s", "program"]
