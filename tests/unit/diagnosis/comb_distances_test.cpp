@@ -9,8 +9,6 @@
 namespace railpem::diagnosis {
 namespace {
 
-constexpr ObservationOptions kFine{.window_s = 4.0, .low_hz = 4.0, .high_hz = 80.0};
-
 /// The believed case as it stands, seen against records of two speeds that were drawn from the truth.
 struct Seen {
     Synthesised made;

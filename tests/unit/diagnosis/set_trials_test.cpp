@@ -15,8 +15,6 @@
 namespace railpem::diagnosis {
 namespace {
 
-constexpr ObservationOptions kFine{.window_s = 4.0, .low_hz = 4.0, .high_hz = 80.0};
-
 /// The set that dips every `spacing_m` make when they are fitted to records of two speeds in which `hidden` is.
 FittedSet fitted_dips(const EffectInstance& hidden, double spacing_m) {
     Synthesised made = synthesised(paper_believed({"vehicle.bogie_mass_kg"}), {15.0, 22.0}, 60.0, {"bogie_1", "wheel_1", "wheel_2"}, kFine);

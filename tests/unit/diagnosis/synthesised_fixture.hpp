@@ -79,6 +79,8 @@ struct Synthesised {
 
 /// Few bins, for tests that need no more.
 inline constexpr ObservationOptions kSmall{.window_s = 1.0, .low_hz = 4.0, .high_hz = 40.0};
+/// Lines close enough to tell apart those of a comb of dips.
+inline constexpr ObservationOptions kFine{.window_s = 4.0, .low_hz = 4.0, .high_hz = 80.0};
 
 /// Recordings at several speeds, not drawn yet; the truth is the believed case.
 inline Synthesised synthesised(BelievedCase believed, const std::vector<double>& speeds, double seconds,
