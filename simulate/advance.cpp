@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "simulate/footing.hpp"
+
 namespace railpem::simulate {
 
 namespace {
@@ -34,16 +36,13 @@ struct UnderWheels {
 
 UnderWheels prepare_contacts(World& world, const Excitation& excitation, const Travel& travel, double time_s) {
     UnderWheels under{};
-    const TrackWindow& track = world.track;
     const std::array<double, 2> at_s{time_s + RadauStep::first_stage * world.step.step_s, time_s + world.step.step_s};
     world.junction.coupling = world.junction.vehicle_coupling;
     for (std::size_t j = 0; j < 4; ++j) {
         const auto row = 2 * static_cast<Eigen::Index>(j);
         under.rail[j] = world.compliance.at(world.step, world.loads[j].position_m[0]);
         for (std::size_t stage = 0; stage < 2; ++stage) {
-            const double place = world.loads[j].position_m[stage] / track.element_m;
-            under.local[j][stage] =
-                compliance_between_nodes(track.section, track.element_m, (place - std::floor(place)) * track.element_m);
+            under.local[j][stage] = footing(world.track, world.loads[j], stage).local_compliance_m_per_n;
             under.height[j][stage] = excitation.at(j, at_s[stage], travel.distance(at_s[stage]));
             for (std::size_t other = 0; other < 2; ++other)
                 world.junction.coupling(row + Eigen::Index(stage), row + Eigen::Index(other)) -=

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "simulate/footing.hpp"
 #include "simulate/random_numbers.hpp"
 
 namespace railpem::simulate {
@@ -168,12 +169,15 @@ double solve_track(TrackWindow& track, const RadauStep& step, const std::vector<
     for (std::size_t i = 0; i < track.seats.size(); ++i) track.solution[i * by].w += applied_force(track.seats[i]);
     for (const StageLoad& load : loads)
         for (std::size_t stage = 0; stage < 2; ++stage) {
-            const Stencil at = stencil_at(track, load.position_m[stage]);
-            const Complex force = (stage == 0 ? step.tau1 : step.tau2) * load.force_n[stage];
-            track.solution[at.node].w -= at.shape[0] * force;
-            track.solution[at.node].theta -= at.shape[1] * force;
-            track.solution[at.node + 1].w -= at.shape[2] * force;
-            track.solution[at.node + 1].theta -= at.shape[3] * force;
+            const Footing on = footing(track, load, stage);
+            for (std::size_t part = 0; part < on.count; ++part) {
+                const auto& [at, share] = on.parts[part];
+                const Complex force = (stage == 0 ? step.tau1 : step.tau2) * (share * load.force_n[stage]);
+                track.solution[at.node].w -= at.shape[0] * force;
+                track.solution[at.node].theta -= at.shape[1] * force;
+                track.solution[at.node + 1].w -= at.shape[2] * force;
+                track.solution[at.node + 1].theta -= at.shape[3] * force;
+            }
         }
     solve(track.factors, track.solution);
     double moved = 0.0;
@@ -185,10 +189,14 @@ double solve_track(TrackWindow& track, const RadauStep& step, const std::vector<
 std::array<double, 2> rail_displacement(const TrackWindow& track, const RadauStep& step, const StageLoad& load) {
     std::array<double, 2> value{};
     for (std::size_t stage = 0; stage < 2; ++stage) {
-        const Stencil at = stencil_at(track, load.position_m[stage]);
-        const Pair& a = track.solution[at.node];
-        const Pair& b = track.solution[at.node + 1];
-        const Complex sum = at.shape[0] * a.w + at.shape[1] * a.theta + at.shape[2] * b.w + at.shape[3] * b.theta;
+        const Footing on = footing(track, load, stage);
+        Complex sum{};
+        for (std::size_t part = 0; part < on.count; ++part) {
+            const auto& [at, share] = on.parts[part];
+            const Pair& a = track.solution[at.node];
+            const Pair& b = track.solution[at.node + 1];
+            sum += share * (at.shape[0] * a.w + at.shape[1] * a.theta + at.shape[2] * b.w + at.shape[3] * b.theta);
+        }
         value[stage] = stage == 0 ? step.at_first(sum) : RadauStep::at_end(sum);
     }
     return value;
