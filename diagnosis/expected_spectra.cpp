@@ -27,6 +27,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
+constexpr double kLeastOrder = 0.1;  ///< of the strongest order of the modulation: 20 dB below what is itself 30 dB below the irregularity
 constexpr double kSamePlace = 0.25;  ///< m: a sensor on the body counts as over the pivot or at the centre within this
 
 std::string response_of(const recordings::ChannelDescription& channel, const pem::CaseParameters& parameters) {
@@ -156,6 +157,7 @@ ExpectedSpectra expected_spectra(const pem::CaseParameters& parameters, double s
     const FineGrid grid = fine_grid(kernel, expected.first_bin, bins, options.oversampling);
     pem::WheelTransfers own;
     pem::PadTransfers pads;
+    pem::ModulationTransfers modulation;
     std::optional<pem::TrackExcitation> made;
     if (has_friction(parameters) && reuse == Reuse::transfers) reuse = Reuse::rail;  // its forces are no transfer
     if (reuse != Reuse::transfers) {
@@ -178,8 +180,9 @@ ExpectedSpectra expected_spectra(const pem::CaseParameters& parameters, double s
             add_friction(parameters, {model, sources, level_rails, rails, lines.from_hz, lines.step_hz, lines.lines}, channels, bin, expected);
         }
         pads = pem::pad_transfers(parameters, model, reuse == Reuse::rail && !known->pads.rail.empty() ? &known->pads : nullptr);
+        if (!known) modulation = pem::modulation_transfers(parameters, model);
         if (filled || reuse == Reuse::nothing) made = pem::track_excitation(parameters, wheels, speed, &model);
-        if (filled) *filled = {std::move(rails), std::move(level_rails), own, *made, model.car.friction, pads};
+        if (filled) *filled = {std::move(rails), std::move(level_rails), own, *made, model.car.friction, pads, modulation};
     }
     // With the rail the track and its speed are those of the cache; pads that stiffen under load do not share it.
     const pem::TrackExcitation& track = made ? *made : known->track;
@@ -194,6 +197,9 @@ ExpectedSpectra expected_spectra(const pem::CaseParameters& parameters, double s
         add_as_it_is(transfers, source, wheels, speed, bin, expected);
     for (const pem::DelayedSpectrum& source : options.beside) add_as_it_is(transfers, source, wheels, speed, bin, expected);
     for (const pem::LineSet& set : excitation.lines) add_lines(parameters, transfers, set, kernel, expected);
+    if (known) modulation = known->modulation;
+    const std::vector<pem::Modulation> orders = pem::modulations(parameters, track, modulation, kLeastOrder);
+    add_modulated(transfers, modulation, orders, excitation.broadband.front(), wheels, speed, bin, expected);
     add_sensor_noise(parameters, channels, bin, expected);
     for (std::size_t b = 0; b < bins; ++b)
         for (std::size_t c = 0; c < channels.size() && !noise_psd.empty(); ++c)

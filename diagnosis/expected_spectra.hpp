@@ -8,6 +8,7 @@
 #include "pem/case_parameters.hpp"
 #include "pem/excitation.hpp"
 #include "pem/pad_distortion.hpp"
+#include "pem/passing_modulation.hpp"
 #include "pem/wheel_transfers.hpp"
 #include "recordings/cross_spectra.hpp"
 
@@ -65,6 +66,7 @@ struct ExpectationCache {
     pem::TrackExcitation track;
     vehicle::FrictionDamping friction;               ///< as linearised: where the next linearisation starts
     pem::PadTransfers pads;                          ///< of pads that load stiffens
+    pem::ModulationTransfers modulation;             ///< faint: as good for a case that differs a little
 };
 
 /// What may be taken from the cache: nothing, the rail (track and speed are the same) or all transfers (only the

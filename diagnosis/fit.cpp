@@ -23,6 +23,7 @@ constexpr double kPace = 12.0;            ///< or times what its last step broug
 constexpr double kSurprise = 1.5;         ///< times what a step promised
 constexpr double kStageGain = 3.0;        ///< nats that a step of a blunt stage has to promise: its top is not the one that counts
 constexpr double kHopeless = 30.0;        ///< nats that a fit must stay behind, hope included, to be given up
+constexpr double kHopelessBlunt = 300.0;  ///< the same where the likelihood is blunt, lines are held and a rival's are not: a rail that shears stayed 54 behind a damper there, and came out 1100 ahead
 
 struct State {
     Trial trial;
@@ -136,6 +137,9 @@ void finish(const Trial& base, const std::vector<Unknown>& unknowns, const Likel
     normal = normal_equations(state, unknowns, differentiate(state.trial, unknowns, state.values, state.predictions, context), context);
 }
 
+/// With the lines held, before they are let go. A climb that asks for more is far off, and what it gains by holding them longer is lost when it lets them go.
+constexpr int kHeldIterations = 8;
+
 /// How a climb ended.
 enum class End { top, tired, hopeless };
 
@@ -143,6 +147,7 @@ enum class End { top, tired, hopeless };
 End climb(const Trial& base, const std::vector<Unknown>& unknowns, const LikelihoodContext& context, const FitOptions& options,
           double rival, int most, double& damping, State& state, int& iterations, Normal* last = nullptr) {
     double gained = std::numeric_limits<double>::infinity(), promised = 0.0;  // by the last step
+    const double room = last ? kHopeless : kHopelessBlunt;
     for (int i = 0; i < most; ++i) {
         if (options.between) options.between();
         Normal normal = normal_equations(state, unknowns, differentiate(state.trial, unknowns, state.values, state.predictions, context), context);
@@ -154,7 +159,7 @@ End climb(const Trial& base, const std::vector<Unknown>& unknowns, const Likelih
             // Little is promised, and the last step brought next to nothing of what it had promised.
             const bool flat = promise < kWorthSettling && gained < options.least_gain;
             // Only where the last step brought no more than it promised: a climb that surprises has not said yet how high it goes.
-            const bool hopeless = gained < kSurprise * promised && state.log_posterior + std::max(kHope * promise, kPace * gained) + kHopeless < rival;
+            const bool hopeless = gained < kSurprise * promised && state.log_posterior + std::max(kHope * promise, kPace * gained) + room < rival;
             if (promise < options.least_gain || flat || hopeless) {
                 if (last && !hopeless) finish(base, unknowns, context, options.least_gain, normal, state);
                 if (last) *last = normal;
@@ -259,10 +264,10 @@ Fit fit(const Trial& base, std::vector<Unknown> unknowns, std::vector<double> st
             if (!state.possible()) return impossible(state);
             settle(held, stage, state);
             const double rival = options.rival ? blunt_posterior(*options.rival, stage) - options.room : kNobody;
-            const int most = floor > context.least_floor ? options.stage_iterations : options.iterations;
+            const int most = floor > context.least_floor ? options.stage_iterations : std::min(options.iterations, kHeldIterations);
             end = climb(base, held, stage, blunt, rival, most, damping, state, result.iterations);
             values = std::move(state.values);
-            if (end == End::top && state.log_posterior + kHopeless < rival) end = End::hopeless;
+            if (end == End::top && state.log_posterior + kHopelessBlunt < rival) end = End::hopeless;
             if (end == End::hopeless) break;
         }
     }

@@ -69,7 +69,7 @@ class Search {
         result_.first_promises = screened(result_.retuned.fit);
         if (is_distorted(result_.retuned.fit)) {
             blunt_search();
-            if (left_over() < bearable()) return;
+            if (trials_.names() && left_over() < bearable()) return;
         }
         if (result_.sets.empty()) first_round();
         further_rounds(2);
@@ -99,8 +99,8 @@ class Search {
         return false;
     }
 
-    /// The search for one or two effects with a blunt likelihood, in which the retuned case stays near what was believed. The best
-    /// set is then sharpened, and the search goes on from there.
+    /// The search for one or two effects with a blunt likelihood, in which the retuned case stays near what was believed. The best single is sharpened first: where it leaves little,
+    /// the search goes on from it, and nothing else need be asked of the blunt. Otherwise from the best set, sharpened.
     void blunt_search() {
         LikelihoodContext blunt = context_;
         blunt.least_floor = kBluntSearch;
@@ -112,15 +112,23 @@ class Search {
         found.candidates = result_.candidates;
         found.first_promises = search.screened(found.retuned.fit);
         search.first_round();
+        const double single = search.trials_.leading().score();
+        if (single > found.retuned.score() + options_.least_gain) {
+            sharpen(search.trials_.leading());
+            if (left_over() < bearable()) return further_rounds(static_cast<int>(trials_.leading().members()) + 1);
+        }
         search.further_rounds(2);
         if (search.misses()) {
             search.rescue_round();
             search.further_rounds(2);
         }
         const FittedSet& best = search.trials_.leading();
-        if (best.score() < found.retuned.score() + options_.least_gain) return;
-        result_.sets.push_back(sharpened(believed_, best, context_, [this] { say("sharpening", 0.5); }));
-        further_rounds(static_cast<int>(result_.sets.back().members()) + 1);
+        if (best.score() > std::max(single, found.retuned.score()) + options_.least_gain) sharpen(best);
+        if (!result_.sets.empty()) further_rounds(static_cast<int>(trials_.leading().members()) + 1);
+    }
+
+    void sharpen(const FittedSet& blunt) {
+        result_.sets.push_back(sharpened(believed_, blunt, context_, [this] { say("sharpening", 0.5); }));
     }
 
     std::vector<Promise> screened(const Fit& fit) {

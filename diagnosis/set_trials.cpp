@@ -92,7 +92,8 @@ const FittedSet& SetTrials::try_starts(const Fit& near, const Starts& starts, st
 void SetTrials::refuse_noise(std::size_t index, const Fit& near, double share) {
     const FittedSet& comb = result_.sets[index];
     const double gain = comb.fit.log_likelihood - near.log_likelihood;
-    if (gain < options_.least_gain) return;
+    // Only where it would be believed: the best set of its size.
+    if (gain < options_.least_gain || &comb != best(comb.members())) return;
     FitOptions fit_options{.iterations = kDecoyIterations, .from_far = false};
     fit_options.between = [this, share] { say("a decoy", share); };
     for (const EffectInstance& decoy : comb_decoys(comb.fit.trial.effects.back())) {

@@ -72,6 +72,23 @@ void add_as_it_is(const pem::WheelTransfers& transfers, const pem::DelayedSpectr
                 expected.values[(b * channels + j) * channels + i] += y[i * bins + b] * std::conj(y[j * bins + b]);
 }
 
+void add_modulated(const pem::WheelTransfers& transfers, const pem::ModulationTransfers& modulation, const std::vector<pem::Modulation>& orders,
+                   const pem::DelayedSpectrum& source, const std::vector<double>& wheels, double speed, double bin_hz, ExpectedSpectra& expected) {
+    const std::size_t size = expected.channels;
+    std::vector<Complex> at(size * 4), y(size);
+    for (std::size_t b = 0; b < expected.bins() && !orders.empty(); ++b) {
+        const double f = static_cast<double>(expected.first_bin + b) * bin_hz;
+        pem::interpolate(transfers, f, at.data());
+        Complex* power = expected.values.data() + b * size * size;
+        for (const pem::Modulation& order : orders) {
+            const std::array<Complex, 4> e = pem::modulated_irregularity(order, modulation, source, wheels, speed, f);
+            for (std::size_t c = 0; c < size; ++c) y[c] = at[c * 4] * e[0] + at[c * 4 + 1] * e[1] + at[c * 4 + 2] * e[2] + at[c * 4 + 3] * e[3];
+            for (std::size_t j = 0; j < size; ++j)
+                for (std::size_t i = 0; i < size; ++i) power[j * size + i] += y[i] * std::conj(y[j]);
+        }
+    }
+}
+
 void add_lines(const pem::CaseParameters& parameters, const pem::WheelTransfers& transfers, const pem::LineSet& set,
                const recordings::WindowKernel& kernel, ExpectedSpectra& expected) {
     constexpr double kNodes[5] = {-2.8569700138728, -1.3556261799742, 0.0, 1.3556261799742, 2.8569700138728};

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "diagnosis/expected_spectra.hpp"
+#include "pem/passing_modulation.hpp"
 
 namespace railpem::diagnosis {
 
@@ -25,6 +26,10 @@ std::vector<std::complex<double>> fine_responses(const pem::WheelTransfers& tran
 /// Adds a source so faint that its kernel does not count: what a window's leakage and delays change of it is some per cent of tens of dB below.
 void add_as_it_is(const pem::WheelTransfers& transfers, const pem::DelayedSpectrum& source, const std::vector<double>& wheels_m, double speed_m_per_s,
                   double bin_hz, ExpectedSpectra& expected);
+
+/// Adds what the supports make of a source's forces, as faint (pem/passing_modulation.hpp). `orders` and `modulation` belong together.
+void add_modulated(const pem::WheelTransfers& transfers, const pem::ModulationTransfers& modulation, const std::vector<pem::Modulation>& orders,
+                   const pem::DelayedSpectrum& source, const std::vector<double>& wheels_m, double speed_m_per_s, double bin_hz, ExpectedSpectra& expected);
 
 /// Adds the lines of a set: each a Gaussian of the speed's fluctuation, smoothed by the kernel (five-point Gauss–Hermite rule).
 void add_lines(const pem::CaseParameters& parameters, const pem::WheelTransfers& transfers, const pem::LineSet& set,

@@ -110,13 +110,32 @@ std::vector<double> case_pads(const CaseParameters& parameters, const std::vecto
     return track::pad_positions(parameters.track, wheels, parameters.solver.rail == RailSolution::modal ? parameters.solver.pads : 0);
 }
 
+/// Where to begin with n positions per bay, in bays. A rail that shears has a kink over every seat, and the mean of n places misses that of all by ½h²·B₂(θ) times the jump of the slope, h = spacing/n
+/// and θ·h the distance of a seat to the next place of the wheel (Euler and Maclaurin; B₂(θ) = θ² − θ + 1/6). It was 0.4 % of the response at 114 Hz with three. The offset at which that is least
+/// over the wheels: nothing where all of them stand alike to the seats.
+double offset_between_kinks(const std::vector<double>& wheels_m, double spacing_m, int n) {
+    constexpr int kTried = 256;
+    double best = 0.0, least = 1e300;
+    for (int i = 0; i < kTried; ++i) {
+        double sum = 0.0;
+        for (const double wheel : wheels_m) {
+            const double place = static_cast<double>(i) / kTried + n * (wheel - wheels_m.front()) / spacing_m, theta = place - std::floor(place);
+            sum += std::pow(theta * theta - theta + 1.0 / 6.0, 2);
+        }
+        if (sum < least) least = sum, best = static_cast<double>(i) / kTried / n;
+    }
+    return best;
+}
+
 /// Rails for wheels that roll over the track: at rest one, as the case has it. In motion the mean over positions that take
-/// the first two harmonics of a bay out of the receptance (three per bay, and every bay of a period of failed fasteners);
+/// the first two harmonics of a bay out of the receptance (three per bay, four on a rail that shears, and every bay of a period of failed fasteners);
 /// random failures enter by their mean. Pads that preload stiffens are those under rolling wheels (track/moving_equilibrium.hpp).
 std::vector<track::ExactRail> positions(const CaseParameters& parameters, const std::vector<double>& wheels_m, const track::StaticEquilibrium& equilibrium,
                                         double speed_m_per_s) {
     if (!parameters.solver.moving) return {track::exact_rail(parameters.track, wheels_m, equilibrium)};
-    constexpr int kPerBay = 3;
+    const bool shears = parameters.track.rail.beam == track::Beam::timoshenko;
+    const int per_bay = shears ? 4 : 3;
+    const double first_bay = shears ? offset_between_kinks(wheels_m, parameters.track.spacing_m, per_bay) : 0.0;
     CaseParameters moved = parameters;
     int period = 1;
     for (track::FailedFasteners& failed : moved.track.failed_fasteners) {
@@ -132,8 +151,8 @@ std::vector<track::ExactRail> positions(const CaseParameters& parameters, const 
     if (load_matters) change = track::passing_change(moved.track, wheels_m, wheel_load_n(parameters), speed_m_per_s);
     std::vector<track::ExactRail> rails;
     track::StaticEquilibrium previous;
-    for (int k = 0; k < kPerBay * period; ++k) {
-        const double bays = static_cast<double>(k) / kPerBay;
+    for (int k = 0; k < per_bay * period; ++k) {
+        const double bays = first_bay + static_cast<double>(k) / per_bay;
         moved.track.wheel_offset_m = (bays - std::floor(bays)) * parameters.track.spacing_m;
         for (track::FailedFasteners& failed : moved.track.failed_fasteners) failed.first_seat = first_seat - static_cast<int>(bays);
         previous = load_matters ? track::moving_equilibrium(moved.track, wheels_m, wheel_load_n(parameters), case_pads(moved, wheels_m), change, &previous)
