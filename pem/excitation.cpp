@@ -123,8 +123,9 @@ std::complex<double> delay_phase(const std::vector<double>& wheels_m, std::size_
 }
 
 TrackExcitation track_excitation(const CaseParameters& parameters, const std::vector<double>& wheels_m, double speed_m_per_s, const CoupledModel* model) {
-    TrackExcitation track{.passing = passing_lines(parameters, wheels_m, speed_m_per_s), .failed = failed_fastener_spectrum(parameters, wheels_m, speed_m_per_s),
+    TrackExcitation track{.deflection = passing_lines(parameters, wheels_m, speed_m_per_s), .passing = {}, .failed = failed_fastener_spectrum(parameters, wheels_m, speed_m_per_s),
                           .wheel_load_n = wheel_load_n(parameters), .amplitude_factor = parameters.sleeper_passing.amplitude_factor};
+    track.passing = track.deflection;
     if (model && parameters.track.failed_fasteners.empty()) feed_back(parameters, *model, speed_m_per_s, track.passing);
     return track;
 }
@@ -139,7 +140,8 @@ TrackExcitation rescaled(const TrackExcitation& known, const CaseParameters& par
     for (std::size_t i = 0; i < own.passing.size(); ++i) {
         const bool whole_bay = (i + 1) % period == 0;
         const double scale = load * (whole_bay && known.amplitude_factor != 0.0 ? own.amplitude_factor / known.amplitude_factor : 1.0);
-        for (auto& amplitude : own.passing[i].amplitude_m) amplitude *= scale;
+        for (auto* lines : {&own.passing, &own.deflection})
+            for (auto& amplitude : (*lines)[i].amplitude_m) amplitude *= scale;
     }
     if (known.failed) own.failed = [spectrum = known.failed, load](double f) { return load * load * spectrum(f); };
     return own;

@@ -55,7 +55,8 @@ struct Excitation {
 /// What of the excitation the standing load and the track's deflection make: costly, and common to cases that differ in vehicle or
 /// irregularity only.
 struct TrackExcitation {
-    std::vector<SpectralLine> passing;             ///< passing_lines()
+    std::vector<SpectralLine> deflection;          ///< passing_lines()
+    std::vector<SpectralLine> passing;             ///< those with what their own forces do
     std::function<double(double)> failed;          ///< failed_fastener_spectrum()
     double wheel_load_n = 0.0;                     ///< under which they were computed
     double amplitude_factor = 0.0;                 ///< sleeper_passing.amplitude_factor of then

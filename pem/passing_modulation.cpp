@@ -19,15 +19,19 @@ double strength(const std::array<Phasor, 4>& under_wheels) {
     return std::sqrt(sum);
 }
 
+std::size_t period_of(const CaseParameters& parameters) {
+    const auto& failed = parameters.track.failed_fasteners;
+    return failed.empty() ? 1 : static_cast<std::size_t>(std::max(1, failed.front().every));
+}
+
 /// What the lines say of the track: m per N of constant load, without the factor by which the case has the lines of whole bays.
 std::vector<std::array<Phasor, 4>> compliances(const CaseParameters& parameters, const TrackExcitation& track) {
-    const auto& failed = parameters.track.failed_fasteners;
-    const std::size_t period = failed.empty() ? 1 : static_cast<std::size_t>(std::max(1, failed.front().every));
+    const std::size_t period = period_of(parameters);
     std::vector<std::array<Phasor, 4>> result;
-    for (std::size_t line = 0; line < track.passing.size(); ++line) {
+    for (std::size_t line = 0; line < track.deflection.size(); ++line) {
         const bool whole_bay = (line + 1) % period == 0;
         const double scale = 0.5 / (track.wheel_load_n * (whole_bay && track.amplitude_factor != 0.0 ? track.amplitude_factor : 1.0));
-        result.push_back(track.passing[line].amplitude_m);
+        result.push_back(track.deflection[line].amplitude_m);
         for (Phasor& own : result.back()) own *= scale;
     }
     return result;
@@ -50,22 +54,33 @@ struct Place {
     }
 };
 
-Phasor seat_share(const ModulationTransfers& transfers, double frequency) {
+Phasor between(const std::vector<Phasor>& values, const Place& at) { return at.between(values[at.below], values[at.below + 1]); }
+
+/// How strongly a force at one frequency is heard at another.
+Phasor passed_on(const ModulationTransfers& transfers, bool of_differing_seats, double from, double to) {
+    const Place in(transfers, from), out(transfers, to);
+    const Phasor share_in = between(transfers.seat_share, in), share_out = between(transfers.seat_share, out);
+    if (!of_differing_seats) return share_in + share_out;
+    return 0.5 * (share_in * between(transfers.receptance, out) + share_out * between(transfers.receptance, in));
+}
+
+/// Forces under the wheels for given irregularities under them.
+std::array<Phasor, 4> forces_of(const ModulationTransfers& transfers, double frequency, const std::array<Phasor, 4>& irregularity) {
     const Place at(transfers, frequency);
-    return at.between(transfers.seat_share[at.below], transfers.seat_share[at.below + 1]);
+    const std::array<Phasor, 16>&low = transfers.force[at.below], &high = transfers.force[at.below + 1];
+    // Below the first line a vehicle that rises and falls with the track has forces with the square of the frequency, and the irregularity has most of its power.
+    const double rise = std::min(1.0, std::pow(frequency / ModulationTransfers::kStep_hz, 2));
+    std::array<Phasor, 4> result{};
+    for (std::size_t wheel = 0; wheel < 4; ++wheel)
+        for (std::size_t j = 0; j < 4; ++j) result[wheel] += rise * at.between(low[wheel * 4 + j], high[wheel * 4 + j]) * irregularity[j];
+    return result;
 }
 
 /// Forces under the wheels per unit of a source that the wheels meet one after the other.
 std::array<Phasor, 4> delayed_forces(const ModulationTransfers& transfers, const DelayedSpectrum& source, const std::vector<double>& wheels, double speed, double frequency) {
-    const Place at(transfers, frequency);
-    const std::array<Phasor, 16>&low = transfers.force[at.below], &high = transfers.force[at.below + 1];
-    std::array<Phasor, 4> delay, result{};
+    std::array<Phasor, 4> delay;
     for (std::size_t j = 0; j < 4; ++j) delay[j] = source.share[j] * delay_phase(wheels, j, frequency, speed);
-    // Below the first line a vehicle that rises and falls with the track has forces with the square of the frequency, and the irregularity has most of its power.
-    const double rise = std::min(1.0, std::pow(frequency / ModulationTransfers::kStep_hz, 2));
-    for (std::size_t wheel = 0; wheel < 4; ++wheel)
-        for (std::size_t j = 0; j < 4; ++j) result[wheel] += rise * at.between(low[wheel * 4 + j], high[wheel * 4 + j]) * delay[j];
-    return result;
+    return forces_of(transfers, frequency, delay);
 }
 
 }  // namespace
@@ -79,10 +94,11 @@ ModulationTransfers modulation_transfers(const CaseParameters& parameters, const
     const WheelTransfers solved = wheel_transfers(model, step, step, lines, responses, 1, &rails);
     const track::PadParameters& pads = parameters.track.pads;
     const double pad_n_per_m = pads.dynamic_to_static_ratio * pads.static_stiffness_n_per_m;
-    ModulationTransfers transfers{.force = std::vector<std::array<Phasor, 16>>(lines), .seat_share = {}};
+    ModulationTransfers transfers{.force = std::vector<std::array<Phasor, 16>>(lines), .receptance = {}, .seat_share = {}};
     for (std::size_t line = 0; line < lines; ++line) {
         std::copy_n(solved.at(line), 16, transfers.force[line].begin());
         const Phasor receptance = rails[line / lanes::width].rail[0][0][static_cast<int>(line % lanes::width)];
+        transfers.receptance.push_back(receptance);
         transfers.seat_share.push_back(receptance * track::seat_stiffness(parameters.track, pad_n_per_m, 1.0, static_cast<double>(line + 1) * step));
     }
     return transfers;
@@ -95,9 +111,10 @@ std::vector<Modulation> modulations(const CaseParameters& parameters, const Trac
     std::vector<Modulation> both_sides;
     for (std::size_t line = 0; line < compliance.size(); ++line) {
         if (strongest == 0.0 || strength(compliance[line]) < least * strongest) continue;
-        const double shift_hz = track.passing[line].frequency_hz;
-        const Phasor share = transfers.seat_share.front() + seat_share(transfers, shift_hz);
-        Modulation up{.shift_hz = shift_hz}, down{.shift_hz = -shift_hz};
+        const double shift_hz = track.deflection[line].frequency_hz;
+        const bool differ = (line + 1) % period_of(parameters) != 0;
+        const Phasor share = passed_on(transfers, differ, differ ? shift_hz : 0.0, shift_hz);
+        Modulation up{.shift_hz = shift_hz, .of_differing_seats = differ}, down{.shift_hz = -shift_hz, .of_differing_seats = differ};
         for (std::size_t wheel = 0; wheel < 4; ++wheel) {
             up.compliance_m_per_n[wheel] = compliance[line][wheel] / share;
             down.compliance_m_per_n[wheel] = std::conj(up.compliance_m_per_n[wheel]);
@@ -108,12 +125,40 @@ std::vector<Modulation> modulations(const CaseParameters& parameters, const Trac
     return both_sides;
 }
 
+void feed_back_lines(const CaseParameters& parameters, const ModulationTransfers& transfers, TrackExcitation& track) {
+    constexpr int kSweeps = 6;
+    const std::vector<Modulation> orders = modulations(parameters, track, transfers, 0.0);  // +1, −1, +2, −2, …
+    const int highest = static_cast<int>(track.passing.size());
+    if (orders.size() != 2 * track.passing.size()) return;
+    const bool sound = parameters.track.failed_fasteners.empty();
+    const double line_hz = highest > 0 ? track.passing.front().frequency_hz : 0.0;
+    const std::vector<SpectralLine> alone = track.passing;
+    for (int sweep = 0; sweep < kSweeps; ++sweep) {
+        std::vector<std::array<Phasor, 4>> force;  // of the lines 1, 2, …
+        for (const SpectralLine& line : track.passing) force.push_back(forces_of(transfers, line.frequency_hz, line.amplitude_m));
+        for (int m = 1; m <= highest; ++m) {
+            std::array<Phasor, 4> sum = alone[static_cast<std::size_t>(m - 1)].amplitude_m;
+            for (int n = -highest; n <= highest; ++n) {
+                const int order = m - n;
+                if (n == 0 || order == 0 || std::abs(order) > highest || (sound && n == 1)) continue;
+                const Modulation& modulation = orders[static_cast<std::size_t>(2 * (std::abs(order) - 1) + (order < 0 ? 1 : 0))];
+                const Phasor share = passed_on(transfers, modulation.of_differing_seats, n * line_hz, m * line_hz);
+                for (std::size_t wheel = 0; wheel < 4; ++wheel) {
+                    const Phasor own = force[static_cast<std::size_t>(std::abs(n) - 1)][wheel];
+                    sum[wheel] += share * modulation.compliance_m_per_n[wheel] * (n < 0 ? std::conj(own) : own);
+                }
+            }
+            track.passing[static_cast<std::size_t>(m - 1)].amplitude_m = sum;
+        }
+    }
+}
+
 std::array<Phasor, 4> modulated_irregularity(const Modulation& modulation, const ModulationTransfers& transfers, const DelayedSpectrum& source,
                                              const std::vector<double>& wheels, double speed, double frequency) {
     const double from = frequency - modulation.shift_hz;
     if (from == 0.0) return {};
     std::array<Phasor, 4> felt = delayed_forces(transfers, source, wheels, speed, from);
-    const Phasor factor = std::sqrt(source.psd_m2_per_hz(std::abs(from))) * (seat_share(transfers, from) + seat_share(transfers, frequency));
+    const Phasor factor = std::sqrt(source.psd_m2_per_hz(std::abs(from))) * passed_on(transfers, modulation.of_differing_seats, from, frequency);
     for (std::size_t wheel = 0; wheel < 4; ++wheel) felt[wheel] *= factor * modulation.compliance_m_per_n[wheel];
     return felt;
 }
