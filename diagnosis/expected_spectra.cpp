@@ -180,14 +180,12 @@ ExpectedSpectra expected_spectra(const pem::CaseParameters& parameters, double s
             add_friction(parameters, {model, sources, level_rails, rails, lines.from_hz, lines.step_hz, lines.lines}, channels, bin, expected);
         }
         pads = pem::pad_transfers(parameters, model, reuse == Reuse::rail && !known->pads.rail.empty() ? &known->pads : nullptr);
-        modulation = known ? known->modulation : pem::modulation_transfers(parameters, model);
-        if (filled || reuse == Reuse::nothing) {
-            made = pem::track_excitation(parameters, wheels, speed, &model);
-            pem::feed_back_lines(parameters, modulation, *made);
-        }
+        modulation = pem::modulation_transfers(parameters, model);
+        made = reuse == Reuse::rail ? pem::with_other_vehicle(known->track, parameters, model, speed) : pem::track_excitation(parameters, wheels, speed, &model);
+        pem::feed_back_lines(parameters, modulation, *made);
         if (filled) *filled = {std::move(rails), std::move(level_rails), own, *made, model.car.friction, pads, modulation};
     }
-    // With the rail the track and its speed are those of the cache; pads that stiffen under load do not share it.
+    // With all transfers the excitation's lines are those of the cache; pads that stiffen under load do not share it.
     const pem::TrackExcitation& track = made ? *made : known->track;
     const pem::WheelTransfers& transfers = reuse == Reuse::transfers ? known->transfers : own;
     const recordings::KernelWeights weights =
@@ -200,16 +198,9 @@ ExpectedSpectra expected_spectra(const pem::CaseParameters& parameters, double s
         add_as_it_is(transfers, source, wheels, speed, bin, expected);
     for (const pem::DelayedSpectrum& source : options.beside) add_as_it_is(transfers, source, wheels, speed, bin, expected);
     for (const pem::LineSet& set : excitation.lines) add_lines(parameters, transfers, set, kernel, expected);
-    ExpectedSpectra modulated{.first_bin = expected.first_bin, .channels = expected.channels};
-    if (known && reuse != Reuse::nothing && known->modulated.size() == expected.values.size()) {
-        modulated.values = known->modulated;
-    } else {
-        modulated.values.assign(expected.values.size(), 0.0);
-        const std::vector<pem::Modulation> orders = pem::modulations(parameters, track, modulation, kLeastOrder);
-        add_modulated(transfers, modulation, orders, excitation.broadband.front(), wheels, speed, bin, modulated);
-    }
-    for (std::size_t i = 0; i < expected.values.size(); ++i) expected.values[i] += modulated.values[i];
-    if (filled) filled->modulated = std::move(modulated.values);
+    const pem::ModulationTransfers& response = reuse == Reuse::transfers ? known->modulation : modulation;
+    const std::vector<pem::Modulation> orders = pem::modulations(parameters, track, response, kLeastOrder);
+    add_modulated(transfers, response, orders, excitation.broadband.front(), wheels, speed, bin, expected);
     add_sensor_noise(parameters, channels, bin, expected);
     for (std::size_t b = 0; b < bins; ++b)
         for (std::size_t c = 0; c < channels.size() && !noise_psd.empty(); ++c)

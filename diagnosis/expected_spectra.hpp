@@ -66,8 +66,7 @@ struct ExpectationCache {
     pem::TrackExcitation track;
     vehicle::FrictionDamping friction;               ///< as linearised: where the next linearisation starts
     pem::PadTransfers pads;                          ///< of pads that load stiffens
-    pem::ModulationTransfers modulation;             ///< faint: as good for a case that differs a little
-    std::vector<std::complex<double>> modulated;     ///< what it adds to the spectra: as good where vehicle or excitation differ a little
+    pem::ModulationTransfers modulation;
 };
 
 /// What may be taken from the cache: nothing, the rail (track and speed are the same) or all transfers (only the

@@ -130,6 +130,13 @@ TrackExcitation track_excitation(const CaseParameters& parameters, const std::ve
     return track;
 }
 
+TrackExcitation with_other_vehicle(const TrackExcitation& known, const CaseParameters& parameters, const CoupledModel& model, double speed_m_per_s) {
+    TrackExcitation own = rescaled(known, parameters);
+    own.passing = own.deflection;
+    if (parameters.track.failed_fasteners.empty()) feed_back(parameters, model, speed_m_per_s, own.passing);
+    return own;
+}
+
 TrackExcitation rescaled(const TrackExcitation& known, const CaseParameters& parameters) {
     TrackExcitation own = known;
     own.wheel_load_n = wheel_load_n(parameters);

@@ -122,7 +122,7 @@ TEST(Decide, WithholdsTheNameWhereMoreIsLeftThanChance) {
 }
 
 TEST(Decide, WithholdsTheNameWhereTheUnseenRepeatsMisfit) {
-    const NamingResult naming = naming_of({set_of({"rail-shear"}, {}, 1000.0, 100.0)}), linearised = naming_of({set_of({"suspension-friction"}, {}, 1000.0, 100.0)});
+    const NamingResult naming = naming_of({set_of({"wheelset-bending"}, {}, 1000.0, 100.0)}), linearised = naming_of({set_of({"suspension-friction"}, {}, 1000.0, 100.0)});
     EXPECT_EQ(decide(naming, {.by_named = 11.0}, thresholds).verdict, Verdict::explained);
     EXPECT_EQ(decide(naming, {.by_named = 13.0}, thresholds).verdict, Verdict::unexplained);
     EXPECT_EQ(decide(linearised, {.by_named = 240.0}, thresholds).verdict, Verdict::explained);
