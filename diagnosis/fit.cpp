@@ -20,6 +20,7 @@ constexpr double kWorthSettling = 2.0;    ///< nats promised by a step, after wh
 constexpr double kWorthFinishing = 0.1;  ///< of the gain at which a climb ends: what an undamped step has to promise to be made
 constexpr double kHope = 3.0;             ///< times its promise, a fit may still climb
 constexpr double kPace = 12.0;            ///< or times what its last step brought: a ridge is climbed in many equal steps
+constexpr int kHeldIterations = 8;        ///< with the lines held: what a climb from afar gains by holding them longer is lost when it lets them go
 constexpr double kSurprise = 1.5;         ///< times what a step promised
 constexpr double kStageGain = 3.0;        ///< nats that a step of a blunt stage has to promise: its top is not the one that counts
 constexpr double kHopeless = 30.0;        ///< nats that a fit must stay behind, hope included, to be given up
@@ -136,9 +137,6 @@ void finish(const Trial& base, const std::vector<Unknown>& unknowns, const Likel
     // Anew, not by the curvature: what is projected on it later has the same errors of differences, and they cancel.
     normal = normal_equations(state, unknowns, differentiate(state.trial, unknowns, state.values, state.predictions, context), context);
 }
-
-/// With the lines held, before they are let go. A climb that asks for more is far off, and what it gains by holding them longer is lost when it lets them go.
-constexpr int kHeldIterations = 8;
 
 /// How a climb ended.
 enum class End { top, tired, hopeless };

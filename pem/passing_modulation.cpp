@@ -125,15 +125,14 @@ std::vector<Modulation> modulations(const CaseParameters& parameters, const Trac
     return both_sides;
 }
 
-void feed_back_lines(const CaseParameters& parameters, const ModulationTransfers& transfers, TrackExcitation& track) {
-    constexpr int kSweeps = 6;
+void feed_back_lines(const CaseParameters& parameters, const ModulationTransfers& transfers, TrackExcitation& track, int sweeps) {
     const std::vector<Modulation> orders = modulations(parameters, track, transfers, 0.0);  // +1, −1, +2, −2, …
     const int highest = static_cast<int>(track.passing.size());
     if (orders.size() != 2 * track.passing.size()) return;
     const bool sound = parameters.track.failed_fasteners.empty();
     const double line_hz = highest > 0 ? track.passing.front().frequency_hz : 0.0;
     const std::vector<SpectralLine> alone = track.passing;
-    for (int sweep = 0; sweep < kSweeps; ++sweep) {
+    for (int sweep = 0; sweep < sweeps; ++sweep) {
         std::vector<std::array<Phasor, 4>> force;  // of the lines 1, 2, …
         for (const SpectralLine& line : track.passing) force.push_back(forces_of(transfers, line.frequency_hz, line.amplitude_m));
         for (int m = 1; m <= highest; ++m) {

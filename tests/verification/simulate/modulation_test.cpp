@@ -96,16 +96,6 @@ TEST(Modulation, ExplainsWhatTheLinearResponseLeaves) {
 
 namespace {
 
-/// Amplitude of a line at wheel 1 of a record over a smooth line, m/s².
-double marched_line(const simulate::Recording& record, double frequency_hz) {
-    const std::vector<double>& a = record.channels[0].acceleration_m_per_s2;
-    const double periods = std::floor(static_cast<double>(a.size()) / record.sampling_rate_hz * frequency_hz);
-    const auto n = static_cast<std::size_t>(std::lround(periods / frequency_hz * record.sampling_rate_hz));
-    Phasor sum = 0.0;
-    for (std::size_t i = 0; i < n; ++i) sum += a[i] * std::polar(1.0, -2.0 * std::numbers::pi * frequency_hz * static_cast<double>(i) / record.sampling_rate_hz);
-    return 2.0 * std::abs(sum) / static_cast<double>(n);
-}
-
 /// By how much of itself a line of the track is seen too large by the solver, alone and fed back.
 struct LineError {
     double alone, fed_back;
@@ -131,7 +121,7 @@ std::vector<LineError> line_errors(pem::CaseParameters c, double speed, std::siz
         const pem::WheelTransfers t = pem::wheel_transfers(model, f, 0.01, 8, {pem::response_index("wheel_1")}, 1);
         Phasor own = 0.0, before = 0.0;
         for (std::size_t j = 0; j < 4; ++j) own += t.at(0)[j] * track.passing[line].amplitude_m[j], before += t.at(0)[j] * alone[line].amplitude_m[j];
-        const double seen = marched_line(record, f);
+        const double seen = std::sqrt(2.0) * line_rms(record, f);
         errors.push_back({std::abs(before) / seen - 1.0, std::abs(own) / seen - 1.0});
     }
     return errors;

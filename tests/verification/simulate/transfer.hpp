@@ -31,6 +31,16 @@ struct ChannelDifference {
     double largest_db = 0.0;
 };
 
+/// rms of a line at the axle box of wheel 1, over a whole number of its periods, m/s².
+inline double line_rms(const simulate::Recording& record, double frequency_hz) {
+    const std::vector<double>& a = record.channels[0].acceleration_m_per_s2;
+    const double periods = std::floor(static_cast<double>(a.size()) / record.sampling_rate_hz * frequency_hz);
+    const auto n = static_cast<std::size_t>(std::lround(periods / frequency_hz * record.sampling_rate_hz));
+    std::complex<double> sum = 0.0;
+    for (std::size_t i = 0; i < n; ++i) sum += a[i] * std::polar(1.0, -2.0 * std::numbers::pi * frequency_hz * static_cast<double>(i) / record.sampling_rate_hz);
+    return std::sqrt(2.0) * std::abs(sum) / static_cast<double>(n);
+}
+
 inline std::vector<std::complex<double>> spectrum_of(const std::vector<double>& samples) {
     Eigen::FFT<double> transform;
     std::vector<std::complex<double>> spectrum;
