@@ -228,7 +228,7 @@ CandidateList candidates(const BelievedCase& believed, const Trial& trial, const
 Candidate started_at(const Candidate& candidate, double strength) {
     Candidate started = candidate;
     const Effect& effect = *find_effect(candidate.instance.effect);
-    const bool at_strength = is_probed_at_strength(effect, candidate.instance);
+    const bool at_strength = candidate.whole || is_probed_at_strength(effect, candidate.instance);
     for (const EffectParameter& parameter : effect.parameters) {
         if (!parameter.strength || !candidate.instance.values.count(parameter.name)) continue;
         double& value = started.instance.values[parameter.name];

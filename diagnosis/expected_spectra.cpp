@@ -200,6 +200,9 @@ ExpectedSpectra expected_spectra(const pem::CaseParameters& parameters, double s
     for (const pem::LineSet& set : excitation.lines) add_lines(parameters, transfers, set, kernel, expected);
     const pem::ModulationTransfers& response = reuse == Reuse::transfers ? known->modulation : modulation;
     const std::vector<pem::Modulation> orders = pem::modulations(parameters, track, response, kLeastOrder);
+    // Of wheels out of round alone: lines of joints hardly stand above the irregularity, those of passing supports act on each other (feed_back_lines).
+    for (const pem::LineSet& set : excitation.lines)
+        if (set.name.starts_with("wheel_")) add_lines(parameters, transfers, pem::sidebands(orders, response, set), kernel, expected);
     add_modulated(transfers, response, orders, excitation.broadband.front(), wheels, speed, bin, expected);
     add_sensor_noise(parameters, channels, bin, expected);
     for (std::size_t b = 0; b < bins; ++b)

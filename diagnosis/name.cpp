@@ -8,6 +8,7 @@
 #include <limits>
 #include <map>
 
+#include "diagnosis/channel_delays.hpp"
 #include "diagnosis/comb_distances.hpp"
 #include "diagnosis/from_afar.hpp"
 #include "diagnosis/model_error.hpp"
@@ -22,7 +23,6 @@ namespace {
 
 constexpr double kLeastRelease = 3.0;  ///< nats to first order; what a wrong belief distorts is seen too small from there
 
-constexpr double kDistorted = 4.0;     ///< tolerances that a number may end away from what was believed
 constexpr double kMuchMisfit_per_s = 100.0;  ///< nats that retuning may leave for its derivatives to be trusted
 constexpr double kBluntSearch = 0.1;   ///< relative floor
 constexpr double kMinor = 0.05;        ///< share of what a set explains: for what is left of that order no other set is sought in its place
@@ -90,13 +90,10 @@ class Search {
         if (const std::size_t left = trials_.prune(); left > 0) further_rounds(static_cast<int>(left) + 1);
     }
 
-    /// Retuning has bent the believed numbers so far, and to so little avail, that a derivative at the retuned case says nothing of the believed one.
+    /// Retuning has bent the believed numbers to so little avail that a derivative at the retuned case says nothing of the believed one.
     bool is_distorted(const Fit& retuned) const {
         const RepeatedMisfit left = repeated_misfit(retuned.trial, retuned.predictions, context_);
-        if (left.nats < kMuchMisfit_per_s * left.seconds) return false;
-        for (std::size_t u = 0; u < retuned.unknowns.size(); ++u)
-            if (retuned.unknowns[u].kind == UnknownKind::number && std::abs(retuned.values[u]) > kDistorted * retuned.unknowns[u].deviation) return true;
-        return false;
+        return left.nats >= kMuchMisfit_per_s * left.seconds;
     }
 
     /// The search for one or two effects with a blunt likelihood, in which the retuned case stays near what was believed. The best single is sharpened first: where it leaves little,
@@ -133,6 +130,7 @@ class Search {
 
     std::vector<Promise> screened(const Fit& fit) {
         add_combs(fit, context_, result_.candidates);
+        add_delays(fit, context_, result_.candidates);
         std::erase_if(result_.candidates, [&](const Candidate& own) { return is_left_out(own.instance.effect); });
         return screen(fit, result_.candidates, context_);
     }

@@ -13,12 +13,19 @@ constexpr double kLeastWhole = 0.1;   ///< of something that is there as a whole
 constexpr double kLeastShare = 0.04;  ///< of the best promise of its kind (sensor or structure); what is weaker waits for the next round
 constexpr double kLeastShareOfAll = 0.01;  ///< and of the best of all
 
+/// The effect and what of it is chosen: fasteners that fail at random are another kind than every n-th.
+std::string kind_of(const EffectInstance& instance) {
+    std::string kind = instance.effect;
+    for (const auto& [name, value] : instance.choices) kind += ' ' + name;
+    return kind;
+}
+
 }  // namespace
 
 std::vector<Starts> worth_refitting(const std::vector<Promise>& promises, const std::vector<Candidate>& candidates, double least, int most) {
-    constexpr int kVariantsPerEffect = 2;
+    constexpr int kVariantsPerKind = 2;
     constexpr std::size_t kStartsPerVariant = 3;
-    std::map<std::string, int> of_effect;
+    std::map<std::string, int> of_kind;
     std::map<std::string, std::size_t> of_variant;
     std::map<bool, double> best_of_kind;
     std::vector<Starts> chosen;
@@ -33,7 +40,7 @@ std::vector<Starts> worth_refitting(const std::vector<Promise>& promises, const 
             if (chosen[known->second].size() < kStartsPerVariant) chosen[known->second].push_back(promise);
             continue;
         }
-        if (static_cast<int>(chosen.size()) >= most || of_effect[instance.effect]++ >= kVariantsPerEffect) continue;
+        if (static_cast<int>(chosen.size()) >= most || of_kind[kind_of(instance)]++ >= kVariantsPerKind) continue;
         of_variant[label_of(instance)] = chosen.size();
         chosen.push_back({promise});
     }

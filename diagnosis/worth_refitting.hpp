@@ -14,7 +14,7 @@ using Starts = std::vector<Promise>;
 /// Nats of what replaces a law of the case that deserve a refit: its strength says nothing, for everything else settles anew around it.
 inline constexpr double kLeastReplacing = 30.0;
 
-/// What is worth a refit: at most `most` variants of `least` nats or more, few per effect, few starting points per variant. `promises` as
+/// What is worth a refit: at most `most` variants of `least` nats or more, few per kind, few starting points per variant. `promises` as
 /// screen() sorts them.
 std::vector<Starts> worth_refitting(const std::vector<Promise>& promises, const std::vector<Candidate>& candidates, double least, int most);
 

@@ -152,6 +152,24 @@ void feed_back_lines(const CaseParameters& parameters, const ModulationTransfers
     }
 }
 
+LineSet sidebands(const std::vector<Modulation>& orders, const ModulationTransfers& transfers, const LineSet& lines) {
+    LineSet beside{.name = lines.name, .lines = {}};
+    for (const SpectralLine& line : lines.lines) {
+        const std::array<Phasor, 4> force = forces_of(transfers, line.frequency_hz, line.amplitude_m);
+        for (const Modulation& order : orders) {
+            const double to = line.frequency_hz + order.shift_hz;
+            const Phasor share = passed_on(transfers, order.of_differing_seats, line.frequency_hz, to);
+            SpectralLine own{.frequency_hz = std::abs(to), .amplitude_m = {}};
+            for (std::size_t wheel = 0; wheel < 4; ++wheel) {
+                const Phasor felt = share * order.compliance_m_per_n[wheel] * force[wheel];
+                own.amplitude_m[wheel] = to < 0.0 ? std::conj(felt) : felt;
+            }
+            beside.lines.push_back(own);
+        }
+    }
+    return beside;
+}
+
 std::array<Phasor, 4> modulated_irregularity(const Modulation& modulation, const ModulationTransfers& transfers, const DelayedSpectrum& source,
                                              const std::vector<double>& wheels, double speed, double frequency) {
     const double from = frequency - modulation.shift_hz;

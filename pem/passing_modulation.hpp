@@ -46,6 +46,10 @@ std::vector<Modulation> modulations(const CaseParameters& parameters, const Trac
 std::array<std::complex<double>, 4> modulated_irregularity(const Modulation& modulation, const ModulationTransfers& transfers, const DelayedSpectrum& source,
                                                            const std::vector<double>& wheels_m, double speed_m_per_s, double frequency_hz);
 
+/// What a modulation makes of the lines of a wheel out of round: beside each of them one at f + mv/spacing for every order and either side, 40 dB below a line that may itself stand 30 dB above all else.
+/// A frequency below zero is its conjugate above.
+LineSet sidebands(const std::vector<Modulation>& orders, const ModulationTransfers& transfers, const LineSet& lines);
+
 /// Adds to the lines of passing supports what the forces of the lines make of each other: r_m += Σ_n γ_{m−n}·F_n, in sweeps. Of sound fasteners without what feed_back() has more exactly, the
 /// first line's share in the higher ones.
 void feed_back_lines(const CaseParameters& parameters, const ModulationTransfers& transfers, TrackExcitation& track, int sweeps = 6);

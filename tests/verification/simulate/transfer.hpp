@@ -31,9 +31,9 @@ struct ChannelDifference {
     double largest_db = 0.0;
 };
 
-/// rms of a line at the axle box of wheel 1, over a whole number of its periods, m/s².
-inline double line_rms(const simulate::Recording& record, double frequency_hz) {
-    const std::vector<double>& a = record.channels[0].acceleration_m_per_s2;
+/// rms of a line of a channel (the first is the axle box of wheel 1), over a whole number of its periods, m/s².
+inline double line_rms(const simulate::Recording& record, double frequency_hz, std::size_t channel = 0) {
+    const std::vector<double>& a = record.channels[channel].acceleration_m_per_s2;
     const double periods = std::floor(static_cast<double>(a.size()) / record.sampling_rate_hz * frequency_hz);
     const auto n = static_cast<std::size_t>(std::lround(periods / frequency_hz * record.sampling_rate_hz));
     std::complex<double> sum = 0.0;

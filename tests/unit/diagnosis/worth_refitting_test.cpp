@@ -1,0 +1,51 @@
+#include "diagnosis/worth_refitting.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace railpem::diagnosis {
+namespace {
+
+Candidate candidate(const std::string& effect, std::map<std::string, std::string> choices) {
+    const EffectInstance instance{.effect = effect, .values = {}, .choices = std::move(choices)};
+    return {.instance = instance, .probe = instance};
+}
+
+Promise promise(std::size_t candidate, double gain) { return {.candidate = candidate, .gain = gain, .strength = 1.0, .move = {}}; }
+
+std::vector<std::string> labels(const std::vector<Starts>& chosen, const std::vector<Candidate>& candidates) {
+    std::vector<std::string> all;
+    for (const Starts& starts : chosen) all.push_back(label_of(candidates[starts.front().candidate].instance));
+    return all;
+}
+
+// Two of a kind; fasteners that fail at random are another kind than every n-th, whose many numbers would leave them no turn.
+TEST(WorthRefitting, TwoOfEveryKind) {
+    const std::vector<Candidate> candidates = {candidate("failed-fasteners", {{"every", "20"}}), candidate("failed-fasteners", {{"every", "16"}}), candidate("failed-fasteners", {{"every", "8"}}),
+                                               candidate("failed-fasteners", {}), candidate("wheelset-bending", {})};
+    const std::vector<Promise> promises = {promise(0, 100.0), promise(1, 90.0), promise(2, 80.0), promise(3, 70.0), promise(4, 60.0)};
+    const std::vector<std::string> expected = {"failed-fasteners (every 20)", "failed-fasteners (every 16)", "failed-fasteners", "wheelset-bending"};
+    EXPECT_EQ(labels(worth_refitting(promises, candidates, 5.0, 8), candidates), expected);
+}
+
+TEST(WorthRefitting, NoMoreThanAskedAndNothingFaint) {
+    const std::vector<Candidate> candidates = {candidate("failed-fasteners", {}), candidate("wheelset-bending", {}), candidate("rail-damper", {})};
+    const std::vector<Promise> promises = {promise(0, 1000.0), promise(1, 900.0), promise(2, 6.0)};
+    EXPECT_EQ(worth_refitting(promises, candidates, 5.0, 8).size(), 2U) << "a hundredth of the best promise waits";
+    EXPECT_EQ(worth_refitting(promises, candidates, 5.0, 1).size(), 1U);
+    EXPECT_TRUE(worth_refitting(promises, candidates, 2000.0, 8).empty());
+}
+
+// Grid points of one variant are starts of one fit.
+TEST(WorthRefitting, GridPointsOfAVariantGoTogether) {
+    std::vector<Candidate> candidates(5, candidate("rail-damper", {}));
+    std::vector<Promise> promises;
+    for (std::size_t i = 0; i < candidates.size(); ++i) promises.push_back(promise(i, 100.0 - static_cast<double>(i)));
+    const std::vector<Starts> chosen = worth_refitting(promises, candidates, 5.0, 8);
+    ASSERT_EQ(chosen.size(), 1U);
+    EXPECT_EQ(chosen.front().size(), 3U);
+}
+
+}  // namespace
+}  // namespace railpem::diagnosis
