@@ -12,7 +12,7 @@
 namespace railpem::pem {
 namespace {
 
-constexpr double kSpeed = 33.0;
+constexpr double kRollingSpeed = 33.0;
 
 struct Passing {
     CaseParameters parameters;
@@ -24,8 +24,8 @@ Passing passing(CaseParameters c) {
     c.solver.moving = true;
     c.frequency = {.from_hz = 1.0, .to_hz = 200.0, .step_hz = 1.0};
     c.sleeper_passing.amplitude_factor = c.sleeper_passing.amplitude_factor == 0.0 ? 1.0 : c.sleeper_passing.amplitude_factor;
-    const CoupledModel model = coupled_model(c, kSpeed);
-    return {c, modulation_transfers(c, model), track_excitation(c, vehicle::wheel_positions(c.vehicle), kSpeed, &model)};
+    const CoupledModel model = coupled_model(c, kRollingSpeed);
+    return {c, modulation_transfers(c, model), track_excitation(c, vehicle::wheel_positions(c.vehicle), kRollingSpeed, &model)};
 }
 
 CaseParameters failed_case() {
