@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <map>
 #include <numbers>
-#include <string>
 
 #include "diagnosis/likelihood.hpp"
 #include "pem/sensor_chain.hpp"
@@ -26,38 +26,52 @@ struct Agreement {
     Complex value;
 };
 
-Agreement agreement_at(const Eigen::MatrixXcd& model, const Eigen::MatrixXcd& data, long channel, double frequency_hz) {
-    const long others = model.rows() - 1;
-    std::vector<long> rest;
-    for (long i = 0; i < model.rows(); ++i)
-        if (i != channel) rest.push_back(i);
-    Eigen::MatrixXcd model_rest(others, others), data_rest(others, others);
-    Eigen::VectorXcd model_cross(others), data_cross(others);
-    for (long i = 0; i < others; ++i) {
-        for (long j = 0; j < others; ++j) model_rest(i, j) = model(rest[i], rest[j]), data_rest(i, j) = data(rest[i], rest[j]);
-        model_cross(i) = model(rest[i], channel), data_cross(i) = data(rest[i], channel);
-    }
-    const Eigen::VectorXcd weights = model_rest.llt().solve(model_cross);  // x̂ = wᴴ·x
-    const double said = weights.dot(data_rest * weights).real(), measured = data(channel, channel).real();
+using Agreements = std::map<std::size_t, std::vector<Agreement>>;  ///< by response
+
+/// x̂ = wᴴ·x is the most that the other channels say of one: of S⁻¹ its column, −1/P_cc of it and nothing of the channel itself.
+Agreement agreement(const Eigen::MatrixXcd& inverse, const Eigen::MatrixXcd& data, long channel, double frequency_hz) {
+    Eigen::VectorXcd weights = -inverse.col(channel) / inverse(channel, channel).real();
+    weights(channel) = 0.0;
+    const Eigen::VectorXcd seen = data * weights;
+    const double said = weights.dot(seen).real(), measured = data(channel, channel).real();
     if (!(said > 0.0 && measured > 0.0)) return {frequency_hz, 0.0};
-    const Complex coherence = weights.dot(data_cross) / std::sqrt(said * measured);  // of what is said with what is measured
+    const Complex coherence = weights.dot(data.col(channel)) / std::sqrt(said * measured);  // of what is said with what is measured
     const double power = std::min(std::norm(coherence), 1.0);
     const double weight = std::min(kMostWeight, power / std::max(1.0 - power, 1e-9));
     return {frequency_hz, power > 0.0 ? coherence / std::sqrt(power) * weight : 0.0};
 }
 
-void add_agreements(const Fit& fit, const LikelihoodContext& context, std::size_t o, std::size_t response, std::vector<Agreement>& agreements) {
+void add_agreements(const Fit& fit, const LikelihoodContext& context, std::size_t o, Agreements& agreements) {
     const Observation& observation = (*context.observations)[o];
     const MeasuredSpectra& data = measured(observation, context.part);
     const long size = static_cast<long>(observation.channels.size());
     if (observation.scalar || size < 2) return;
-    for (long c = 0; c < size; ++c) {
-        if (observation.channels[static_cast<std::size_t>(c)].response != response) continue;
-        for (std::size_t bin = 0; bin < observation.bins(); ++bin) {
-            const Eigen::MatrixXcd own = Eigen::Map<const Eigen::MatrixXcd>(&data.values[bin * static_cast<std::size_t>(size * size)], size, size);
-            agreements.push_back(agreement_at(complete_prediction(fit.trial, observation, o, fit.predictions[o], bin, context.least_floor), own, c, observation.frequency(bin)));
-        }
+    const Eigen::MatrixXcd identity = Eigen::MatrixXcd::Identity(size, size);
+    for (std::size_t bin = 0; bin < observation.bins(); ++bin) {
+        const Eigen::MatrixXcd own = Eigen::Map<const Eigen::MatrixXcd>(&data.values[bin * static_cast<std::size_t>(size * size)], size, size);
+        const Eigen::MatrixXcd inverse = complete_prediction(fit.trial, observation, o, fit.predictions[o], bin, context.least_floor).llt().solve(identity);
+        for (long c = 0; c < size; ++c)
+            agreements[observation.channels[static_cast<std::size_t>(c)].response].push_back(agreement(inverse, own, c, observation.frequency(bin)));
     }
+}
+
+Agreements agreements_of(const Fit& fit, const LikelihoodContext& context) {
+    Agreements agreements;
+    for (std::size_t o = 0; o < context.observations->size(); ++o) add_agreements(fit, context, o, agreements);
+    return agreements;
+}
+
+/// Where the sum of the real parts, turned back, is largest.
+double best_delay_s(const std::vector<Agreement>& agreements, double step_s, double longest_s) {
+    const int reach = static_cast<int>(longest_s / step_s);
+    std::vector<double> sums(static_cast<std::size_t>(2 * reach + 1));
+    for (const Agreement& own : agreements) {
+        Complex turned = own.value * std::polar(1.0, 2.0 * std::numbers::pi * own.frequency_hz * reach * step_s);
+        const Complex turn = std::polar(1.0, -2.0 * std::numbers::pi * own.frequency_hz * step_s);
+        for (double& sum : sums) sum += turned.real(), turned *= turn;
+    }
+    const auto best = std::max_element(sums.begin(), sums.end());
+    return *best > 0.0 ? static_cast<double>(best - sums.begin() - reach) * step_s : 0.0;
 }
 
 double highest_hz(const std::vector<Observation>& observations) {
@@ -67,38 +81,27 @@ double highest_hz(const std::vector<Observation>& observations) {
     return highest;
 }
 
-/// The response that a channel of the catalogue measures.
-std::size_t response_of(const std::string& channel) {
-    const auto& names = pem::response_names();
-    const std::string where = pem::measured_response(channel);
-    return static_cast<std::size_t>(std::find_if(names.begin(), names.end(), [&](const auto& own) { return own.where == where; }) - names.begin());
-}
+double scan_step_s(const std::vector<Observation>& observations) { return 1.0 / (8.0 * highest_hz(observations)); }
 
 }  // namespace
 
 double channel_delay_s(const Fit& fit, const LikelihoodContext& context, std::size_t response, double longest_s) {
-    std::vector<Agreement> agreements;
-    for (std::size_t o = 0; o < context.observations->size(); ++o) add_agreements(fit, context, o, response, agreements);
-    if (agreements.empty()) return 0.0;
-    const double step = 1.0 / (8.0 * highest_hz(*context.observations));
-    double best = 0.0, most = 0.0;
-    for (int k = -static_cast<int>(longest_s / step); k * step <= longest_s; ++k) {
-        double sum = 0.0;
-        for (const Agreement& own : agreements) sum += (own.value * std::polar(1.0, -2.0 * std::numbers::pi * own.frequency_hz * k * step)).real();
-        if (sum > most) most = sum, best = k * step;
-    }
-    return best;
+    const Agreements all = agreements_of(fit, context);
+    const auto own = all.find(response);
+    return own == all.end() ? 0.0 : best_delay_s(own->second, scan_step_s(*context.observations), longest_s);
 }
 
 void add_delays(const Fit& fit, const LikelihoodContext& context, std::vector<Candidate>& candidates) {
     constexpr const char* kDelay = "delay_s";
     const double nearest = highest_hz(*context.observations) > 0.0 ? kNear / highest_hz(*context.observations) : 0.0;
+    const Agreements all = agreements_of(fit, context);
     std::vector<Candidate> added;
     for (const Candidate& candidate : candidates) {
         if (candidate.whole || !candidate.instance.values.count(kDelay) || !candidate.instance.choices.count("channel")) continue;
         const Effect& effect = *find_effect(candidate.instance.effect);
         const auto parameter = std::find_if(effect.parameters.begin(), effect.parameters.end(), [](const EffectParameter& own) { return own.name == kDelay; });
-        const double delay = channel_delay_s(fit, context, response_of(candidate.instance.choices.at("channel")), parameter->high);
+        const auto heard = all.find(pem::response_index(pem::measured_response(candidate.instance.choices.at("channel"))));
+        const double delay = heard == all.end() ? 0.0 : best_delay_s(heard->second, scan_step_s(*context.observations), parameter->high);
         if (std::abs(delay) < nearest) continue;
         Candidate late = candidate;
         late.whole = true;

@@ -5,7 +5,6 @@
 #include <cassert>
 #include <cmath>
 #include <numbers>
-#include <optional>
 #include <string>
 
 #include "diagnosis/friction_spectra.hpp"
@@ -87,12 +86,12 @@ TransferGrid transfer_grid(const pem::CaseParameters& parameters, const FineGrid
 
 /// The rail on that grid. What hangs on it or bends below it may be as narrow as the vehicle's modes; a rail on pads is not, and is
 /// solved at every few lines only.
-std::vector<pem::RailGroup> channel_rails(const pem::CaseParameters& parameters, const pem::CoupledModel& model, const FineGrid& grid,
+std::vector<pem::RailGroup> channel_rails(const pem::CaseParameters& parameters, const pem::CoupledModel& model, const pem::RollingTable& rolling, const TransferGrid& grid,
                                           const ExpectationOptions& options) {
     const bool narrow = !parameters.track.rail_dampers.empty() || !parameters.track.support.bending_modes.empty();
-    const TransferGrid own = transfer_grid(parameters, grid, options);
-    const int every = static_cast<int>(std::lround(options.transfer_step_hz / own.step_hz)) * (narrow ? 1 : options.rail_every);
-    return pem::rail_groups(model, own.from_hz, own.step_hz, own.lines, every, options.threads);
+    if (!narrow && model.rail->has_equal_seats_alone()) return pem::rolling_rails(rolling, model, grid.from_hz, grid.step_hz, grid.lines);
+    const int every = static_cast<int>(std::lround(options.transfer_step_hz / grid.step_hz)) * (narrow ? 1 : options.rail_every);
+    return pem::rail_groups(model, grid.from_hz, grid.step_hz, grid.lines, every, options.threads);
 }
 
 /// The transfers from the four wheels to all channels on a coarse grid that covers the fine one, sensors included.
@@ -143,6 +142,62 @@ std::vector<ObservedChannel> observed_channels(const std::vector<recordings::Cha
     return observed;
 }
 
+namespace {
+
+/// What does not depend on the excitation, or is costly. Friction's forces are added to `expected` at once.
+ExpectationCache prepared(const pem::CaseParameters& parameters, double speed, const std::vector<ObservedChannel>& channels, const FineGrid& grid, double bin_hz,
+                          const ExpectationOptions& options, const ExpectationCache* known, Reuse reuse, ExpectedSpectra& expected) {
+    const std::vector<double> wheels = vehicle::wheel_positions(parameters.vehicle);
+    const bool same_rail = reuse == Reuse::rail;
+    ExpectationCache own;
+    pem::CoupledModel model = pem::coupled_model(parameters, speed);
+    std::vector<pem::Source> sources;
+    if (pem::is_nonlinear(parameters)) {
+        sources = pem::excitation_sources(parameters, wheels, speed);
+        own.level_rails = same_rail && !known->level_rails.empty() ? known->level_rails : pem::linearisation_rails(parameters, model);
+        if (known) start_near(known->friction, parameters, model);
+        pem::linearise(parameters, sources, model, &own.level_rails);
+    }
+    const TransferGrid lines = transfer_grid(parameters, grid, options);
+    pem::RollingTable rolling = same_rail ? known->modulation.rolling : pem::rolling_table(model, speed, pem::modulation_end_hz(parameters, speed));
+    own.rails = same_rail && known->transfers.lines == lines.lines ? known->rails : channel_rails(parameters, model, rolling, lines, options);
+    own.transfers = channel_transfers(parameters, model, channels, grid, options, &own.rails);
+    if (has_friction(parameters))
+        add_friction(parameters, {model, sources, own.level_rails, own.rails, lines.from_hz, lines.step_hz, lines.lines}, channels, bin_hz, expected);
+    own.friction = model.car.friction;
+    own.pads = pem::pad_transfers(parameters, model, same_rail && !known->pads.rail.empty() ? &known->pads : nullptr);
+    own.track = same_rail ? pem::with_other_vehicle(known->track, parameters, model, speed) : pem::track_excitation(parameters, wheels, speed, &model);
+    own.of_irregularity = own.transfers;
+    if (!model.rail->equal_seats()) return own;
+    own.modulation = pem::modulation_transfers(parameters, model, speed, std::move(rolling), same_rail ? &known->modulation : nullptr);
+    own.orders = pem::modulations(parameters, own.track, own.modulation, kLeastOrder);
+    own.felt = pem::felt_orders(own.orders, own.modulation);
+    own.of_irregularity = with_what_comes_back(own.transfers, own.felt.front());
+    pem::feed_back_lines(parameters, own.modulation, own.track);
+    return own;
+}
+
+void add_excitation(const pem::CaseParameters& parameters, double speed, const ExpectationCache& parts, const FineGrid& grid, const recordings::WindowKernel& kernel,
+                    const recordings::KernelWeights& weights, const std::vector<pem::DelayedSpectrum>& beside, ExpectedSpectra& expected) {
+    const std::vector<double> wheels = vehicle::wheel_positions(parameters.vehicle);
+    const double bin = kernel.bin_hz();
+    const pem::Excitation excitation = pem::excitation(parameters, wheels, speed, &parts.track);
+    for (const pem::DelayedSpectrum& source : excitation.broadband)
+        add_smoothed(fine_responses(parts.of_irregularity, source, wheels, speed, grid), expected.channels, weights,
+                     {.first = grid.first, .count = grid.count, .first_bin = expected.first_bin, .bins = expected.bins()}, expected.values);
+    for (const pem::DelayedSpectrum& source : pem::pad_distortion(parts.pads, excitation.broadband, wheels, speed))
+        add_as_it_is(parts.transfers, source, wheels, speed, bin, expected);
+    for (const pem::DelayedSpectrum& source : beside) add_as_it_is(parts.transfers, source, wheels, speed, bin, expected);
+    add_felt(parts.transfers, parts.felt, excitation.broadband.front(), wheels, speed, bin, expected);
+    // Of wheels out of round what supports make of them: lines of joints hardly stand above the irregularity, those of passing supports act on each other (feed_back_lines).
+    for (const pem::LineSet& set : excitation.lines) {
+        const bool modulated = set.name.starts_with("wheel_") && !parts.felt.empty();
+        add_lines(parameters, parts.transfers, modulated ? pem::felt_lines(parts.felt, set) : set, kernel, expected);
+    }
+}
+
+}  // namespace
+
 ExpectedSpectra expected_spectra(const pem::CaseParameters& parameters, double speed,
                                  const recordings::WindowKernel& kernel, const std::vector<ObservedChannel>& channels,
                                  const std::vector<double>& noise_psd, const ExpectationOptions& options,
@@ -152,58 +207,17 @@ ExpectedSpectra expected_spectra(const pem::CaseParameters& parameters, double s
     expected.first_bin = static_cast<std::size_t>(std::ceil(options.low_hz / bin));
     const std::size_t bins = static_cast<std::size_t>(options.high_hz / bin) - expected.first_bin + 1;
     expected.values.assign(bins * channels.size() * channels.size(), 0.0);
-
-    const std::vector<double> wheels = vehicle::wheel_positions(parameters.vehicle);
     const FineGrid grid = fine_grid(kernel, expected.first_bin, bins, options.oversampling);
-    pem::WheelTransfers own;
-    pem::PadTransfers pads;
-    pem::ModulationTransfers modulation;
-    std::optional<pem::TrackExcitation> made;
-    if (has_friction(parameters) && reuse == Reuse::transfers) reuse = Reuse::rail;  // its forces are no transfer
-    if (reuse != Reuse::transfers) {
-        pem::CoupledModel model = pem::coupled_model(parameters, speed);
-        std::vector<pem::Source> sources;
-        std::vector<pem::RailGroup> level_rails;
-        if (pem::is_nonlinear(parameters)) {
-            sources = pem::excitation_sources(parameters, wheels, speed);
-            level_rails = reuse == Reuse::rail && !known->level_rails.empty() ? known->level_rails : pem::linearisation_rails(parameters, model);
-            if (known) start_near(known->friction, parameters, model);
-            pem::linearise(parameters, sources, model, &level_rails);
-        }
-        std::vector<pem::RailGroup> rails;
-        const bool same_grid = reuse == Reuse::rail && known->transfers.lines == transfer_grid(parameters, grid, options).lines;
-        if (same_grid) rails = known->rails;
-        else rails = channel_rails(parameters, model, grid, options);
-        own = channel_transfers(parameters, model, channels, grid, options, &rails);
-        if (has_friction(parameters)) {
-            const TransferGrid lines = transfer_grid(parameters, grid, options);
-            add_friction(parameters, {model, sources, level_rails, rails, lines.from_hz, lines.step_hz, lines.lines}, channels, bin, expected);
-        }
-        pads = pem::pad_transfers(parameters, model, reuse == Reuse::rail && !known->pads.rail.empty() ? &known->pads : nullptr);
-        modulation = pem::modulation_transfers(parameters, model);
-        made = reuse == Reuse::rail ? pem::with_other_vehicle(known->track, parameters, model, speed) : pem::track_excitation(parameters, wheels, speed, &model);
-        pem::feed_back_lines(parameters, modulation, *made);
-        if (filled) *filled = {std::move(rails), std::move(level_rails), own, *made, model.car.friction, pads, modulation};
-    }
-    // With all transfers the excitation's lines are those of the cache; pads that stiffen under load do not share it.
-    const pem::TrackExcitation& track = made ? *made : known->track;
-    const pem::WheelTransfers& transfers = reuse == Reuse::transfers ? known->transfers : own;
     const recordings::KernelWeights weights =
         options.weights.weights.empty() ? expectation_weights(kernel, options.oversampling) : options.weights;
-    const pem::Excitation excitation = pem::excitation(parameters, wheels, speed, &track);
-    for (const pem::DelayedSpectrum& source : excitation.broadband)
-        add_smoothed(fine_responses(transfers, source, wheels, speed, grid), channels.size(), weights,
-                     {.first = grid.first, .count = grid.count, .first_bin = expected.first_bin, .bins = bins}, expected.values);
-    for (const pem::DelayedSpectrum& source : pem::pad_distortion(reuse == Reuse::transfers ? known->pads : pads, excitation.broadband, wheels, speed))
-        add_as_it_is(transfers, source, wheels, speed, bin, expected);
-    for (const pem::DelayedSpectrum& source : options.beside) add_as_it_is(transfers, source, wheels, speed, bin, expected);
-    for (const pem::LineSet& set : excitation.lines) add_lines(parameters, transfers, set, kernel, expected);
-    const pem::ModulationTransfers& response = reuse == Reuse::transfers ? known->modulation : modulation;
-    const std::vector<pem::Modulation> orders = pem::modulations(parameters, track, response, kLeastOrder);
-    // Of wheels out of round alone: lines of joints hardly stand above the irregularity, those of passing supports act on each other (feed_back_lines).
-    for (const pem::LineSet& set : excitation.lines)
-        if (set.name.starts_with("wheel_")) add_lines(parameters, transfers, pem::sidebands(orders, response, set), kernel, expected);
-    add_modulated(transfers, response, orders, excitation.broadband.front(), wheels, speed, bin, expected);
+    if (has_friction(parameters) && reuse == Reuse::transfers) reuse = Reuse::rail;  // its forces are no transfer
+    // With all transfers the excitation's lines are those of the cache; pads that stiffen under load do not share it.
+    if (reuse == Reuse::transfers) add_excitation(parameters, speed, *known, grid, kernel, weights, options.beside, expected);
+    else {
+        ExpectationCache own = prepared(parameters, speed, channels, grid, bin, options, known, reuse, expected);
+        add_excitation(parameters, speed, own, grid, kernel, weights, options.beside, expected);
+        if (filled) *filled = std::move(own);
+    }
     add_sensor_noise(parameters, channels, bin, expected);
     for (std::size_t b = 0; b < bins; ++b)
         for (std::size_t c = 0; c < channels.size() && !noise_psd.empty(); ++c)

@@ -8,7 +8,7 @@
 #include "pem/case_parameters.hpp"
 #include "pem/excitation.hpp"
 #include "pem/pad_distortion.hpp"
-#include "pem/passing_modulation.hpp"
+#include "pem/modulated_forces.hpp"
 #include "pem/wheel_transfers.hpp"
 #include "recordings/cross_spectra.hpp"
 
@@ -62,11 +62,13 @@ recordings::KernelWeights expectation_weights(const recordings::WindowKernel& ke
 /// What one expectation leaves for others that differ from it only in part.
 struct ExpectationCache {
     std::vector<pem::RailGroup> rails, level_rails;  ///< on the lines of the transfers, and on those of pem::linearise()
-    pem::WheelTransfers transfers;
+    pem::WheelTransfers transfers, of_irregularity;  ///< the latter with what comes back through the supports
     pem::TrackExcitation track;
     vehicle::FrictionDamping friction;               ///< as linearised: where the next linearisation starts
     pem::PadTransfers pads;                          ///< of pads that load stiffens
     pem::ModulationTransfers modulation;
+    std::vector<pem::Modulation> orders;
+    std::vector<pem::FeltOrder> felt;
 };
 
 /// What may be taken from the cache: nothing, the rail (track and speed are the same) or all transfers (only the

@@ -72,16 +72,29 @@ void add_as_it_is(const pem::WheelTransfers& transfers, const pem::DelayedSpectr
                 expected.values[(b * channels + j) * channels + i] += y[i * bins + b] * std::conj(y[j * bins + b]);
 }
 
-void add_modulated(const pem::WheelTransfers& transfers, const pem::ModulationTransfers& modulation, const std::vector<pem::Modulation>& orders,
-                   const pem::DelayedSpectrum& source, const std::vector<double>& wheels, double speed, double bin_hz, ExpectedSpectra& expected) {
+pem::WheelTransfers with_what_comes_back(const pem::WheelTransfers& transfers, const pem::FeltOrder& own) {
+    pem::WheelTransfers result = transfers;
+    const std::size_t channels = transfers.responses.size();
+    for (std::size_t line = 0; line < transfers.lines; ++line) {
+        const std::array<Complex, 16> back = pem::at_frequency(own, transfers.from_hz + static_cast<double>(line) * transfers.step_hz);
+        Complex* row = result.values.data() + line * channels * 4;
+        for (std::size_t c = 0; c < channels; ++c)
+            for (std::size_t j = 0; j < 4; ++j)
+                for (std::size_t i = 0; i < 4; ++i) row[c * 4 + j] += transfers.at(line)[c * 4 + i] * back[i * 4 + j];
+    }
+    return result;
+}
+
+void add_felt(const pem::WheelTransfers& transfers, const std::vector<pem::FeltOrder>& felt, const pem::DelayedSpectrum& source, const std::vector<double>& wheels, double speed,
+              double bin_hz, ExpectedSpectra& expected) {
     const std::size_t size = expected.channels;
     std::vector<Complex> at(size * 4), y(size);
-    for (std::size_t b = 0; b < expected.bins() && !orders.empty(); ++b) {
+    for (std::size_t b = 0; b < expected.bins() && felt.size() > 1; ++b) {
         const double f = static_cast<double>(expected.first_bin + b) * bin_hz;
         pem::interpolate(transfers, f, at.data());
         Complex* power = expected.values.data() + b * size * size;
-        for (const pem::Modulation& order : orders) {
-            const std::array<Complex, 4> e = pem::modulated_irregularity(order, modulation, source, wheels, speed, f);
+        for (std::size_t order = 1; order < felt.size(); ++order) {
+            const std::array<Complex, 4> e = pem::felt_irregularity(felt, order, source, wheels, speed, f);
             for (std::size_t c = 0; c < size; ++c) y[c] = at[c * 4] * e[0] + at[c * 4 + 1] * e[1] + at[c * 4 + 2] * e[2] + at[c * 4 + 3] * e[3];
             for (std::size_t j = 0; j < size; ++j)
                 for (std::size_t i = 0; i < size; ++i) power[j * size + i] += y[i] * std::conj(y[j]);

@@ -27,9 +27,12 @@ std::vector<std::complex<double>> fine_responses(const pem::WheelTransfers& tran
 void add_as_it_is(const pem::WheelTransfers& transfers, const pem::DelayedSpectrum& source, const std::vector<double>& wheels_m, double speed_m_per_s,
                   double bin_hz, ExpectedSpectra& expected);
 
-/// Adds what the supports make of a source's forces, as faint (pem/passing_modulation.hpp). `orders` and `modulation` belong together.
-void add_modulated(const pem::WheelTransfers& transfers, const pem::ModulationTransfers& modulation, const std::vector<pem::Modulation>& orders,
-                   const pem::DelayedSpectrum& source, const std::vector<double>& wheels_m, double speed_m_per_s, double bin_hz, ExpectedSpectra& expected);
+/// The transfers with what comes back at the frequency of the irregularity itself of the forces that supports pass on (the first of pem::felt_orders()).
+pem::WheelTransfers with_what_comes_back(const pem::WheelTransfers& transfers, const pem::FeltOrder& own);
+
+/// Adds what the supports pass on of a source's forces to other frequencies, as faint: all but the first of pem::felt_orders().
+void add_felt(const pem::WheelTransfers& transfers, const std::vector<pem::FeltOrder>& felt, const pem::DelayedSpectrum& source, const std::vector<double>& wheels_m,
+              double speed_m_per_s, double bin_hz, ExpectedSpectra& expected);
 
 /// Adds the lines of a set: each a Gaussian of the speed's fluctuation, smoothed by the kernel (five-point Gauss–Hermite rule).
 void add_lines(const pem::CaseParameters& parameters, const pem::WheelTransfers& transfers, const pem::LineSet& set,

@@ -10,28 +10,6 @@ namespace railpem::pem {
 
 using lanes::Complex;
 
-namespace {
-
-ConvectedPairs convected_pairs(const std::vector<double>& wheels, double speed) {
-    ConvectedPairs pairs{.distances_m = {}, .wheels = {}, .speed_m_per_s = speed};
-    for (int i = 0; i < 4; ++i)
-        for (int j = 0; j < 4; ++j) {
-            const double distance = wheels[i] - wheels[j];
-            if (distance < 0.0) continue;
-            const auto same = [&](double other) { return std::abs(other - distance) < 1e-9; };
-            const auto found = std::find_if(pairs.distances_m.begin(), pairs.distances_m.end(), same);
-            const std::size_t place = static_cast<std::size_t>(found - pairs.distances_m.begin());
-            if (found == pairs.distances_m.end()) {
-                pairs.distances_m.push_back(distance);
-                pairs.wheels.emplace_back();
-            }
-            pairs.wheels[place].emplace_back(i, j);
-        }
-    return pairs;
-}
-
-}  // namespace
-
 CoupledModel coupled_model(const CaseParameters& parameters, double speed_m_per_s) {
     CoupledModel model;
     model.car = vehicle::half_vehicle(parameters.vehicle);
@@ -42,7 +20,6 @@ CoupledModel coupled_model(const CaseParameters& parameters, double speed_m_per_
     const double constant = contact_constant(parameters.contact, parameters.vehicle.wheel_radius_m);
     model.contact_compliance.fill(1.0 / contact_stiffness(constant, wheel_load_n(parameters)));
     model.contact_correction = parameters.contact.correction;
-    if (parameters.solver.moving) model.convected = convected_pairs(model.wheels_m, speed_m_per_s);
     return model;
 }
 
@@ -73,30 +50,15 @@ void add_contact_compliance(const CoupledModel& model, lanes::Real omega, WheelM
     for (int i = 0; i < 4; ++i) matrix[i][i] += inverse * model.contact_compliance[i];
 }
 
-/// R(v) − R(0) for the lines of the group.
-void add_convected_change(const CoupledModel& model, lanes::Real omega, WheelMatrix& rail) {
-    const ConvectedPairs& pairs = model.convected;
-    std::array<track::ConvectedChange, track::kMostDistances> change;
-    for (int lane = 0; lane < lanes::width; ++lane) {
-        model.rail->convected_change(omega[lane], pairs.speed_m_per_s, pairs.distances_m, change.data());
-        for (std::size_t p = 0; p < pairs.distances_m.size(); ++p)
-            for (const auto& [i, j] : pairs.wheels[p]) {
-                rail[i][j].set(lane, rail[i][j][lane] + change[p].ahead);
-                if (i != j) rail[j][i].set(lane, rail[j][i][lane] + change[p].behind);
-            }
-    }
-}
-
 }  // namespace
 
-RailGroup rail_group(const CoupledModel& model, lanes::Real omega, CoupledWorkspace& workspace) {
+RailGroup rail_group(lanes::Real omega, CoupledWorkspace& workspace) {
     RailGroup group{.omega = omega};
     const track::RailReceptance& rail = workspace.rail->at(omega);
     for (int i = 0; i < 4; ++i) {
         for (int j = 0; j < 4; ++j) group.rail[i][j] = rail.at(i, j);
         group.trackbed[i] = rail.trackbed[static_cast<std::size_t>(i)];
     }
-    if (!model.convected.distances_m.empty()) add_convected_change(model, omega, group.rail);
     return group;
 }
 
@@ -114,7 +76,7 @@ const GroupSolution& solve_group(const CoupledModel& model, const RailGroup& rai
 }
 
 const GroupSolution& solve_group(const CoupledModel& model, lanes::Real omega, CoupledWorkspace& workspace) {
-    return solve_group(model, rail_group(model, omega, workspace), workspace);
+    return solve_group(model, rail_group(omega, workspace), workspace);
 }
 
 WheelVector contact_forces(const GroupSolution& solution, const WheelVector& irregularity) {

@@ -13,13 +13,6 @@
 
 namespace railpem::pem {
 
-/// Wheels in motion: which distances there are between them, and which pairs have each.
-struct ConvectedPairs {
-    std::vector<double> distances_m;                       ///< distinct, ≥ 0; empty at rest
-    std::vector<std::vector<std::pair<int, int>>> wheels;  ///< per distance: (i, j) with x_i − x_j ≥ 0 so large
-    double speed_m_per_s = 0.0;
-};
-
 /// A case prepared for all frequencies: what does not depend on the frequency is computed once.
 struct CoupledModel {
     vehicle::HalfVehicle car;
@@ -27,7 +20,6 @@ struct CoupledModel {
     std::vector<double> wheels_m;             ///< positions of the wheels, front first
     std::array<double, 4> contact_compliance{};  ///< 1/K_h per wheel without the correction, m/N
     lanes::FactorCurve contact_correction;       ///< of K_h, as in ContactParameters
-    ConvectedPairs convected;
     std::vector<std::string> warnings;
 };
 
@@ -61,7 +53,7 @@ struct CoupledWorkspace {
     GroupSolution solution;
 };
 
-RailGroup rail_group(const CoupledModel& model, lanes::Real omega, CoupledWorkspace& workspace);
+RailGroup rail_group(lanes::Real omega, CoupledWorkspace& workspace);
 
 /// Vehicle and contact on a rail that is known.
 const GroupSolution& solve_group(const CoupledModel& model, const RailGroup& rail, CoupledWorkspace& workspace);

@@ -63,7 +63,7 @@ std::vector<UnchangedGroup> unchanged_groups(const CaseParameters& parameters, c
     for (int first = 0; first < lines; first += lanes::width) {
         LineGroup group{.step_hz = step};
         for (int lane = 0; lane < lanes::width; ++lane) group.omega[lane] = kTwoPi * (parameters.frequency.from_hz + std::min(first + lane, lines - 1) * step);
-        UnchangedGroup own{.rail = rails ? (*rails)[groups.size()] : rail_group(model, group.omega, workspace), .irregularity = {},
+        UnchangedGroup own{.rail = rails ? (*rails)[groups.size()] : rail_group(group.omega, workspace), .irregularity = {},
                            .count = std::min(lanes::width, lines - first), .step_hz = step};
         for (const Source& source : sources) own.irregularity.push_back(source.amplitude(group));
         groups.push_back(std::move(own));

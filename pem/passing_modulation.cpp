@@ -13,6 +13,8 @@ namespace {
 
 using Phasor = std::complex<double>;
 
+constexpr int kOrdersUnled = 2;  ///< of the modulation, where no lines say which count
+
 double strength(const std::array<Phasor, 4>& under_wheels) {
     double sum = 0.0;
     for (const Phasor& own : under_wheels) sum += std::norm(own);
@@ -37,6 +39,15 @@ std::vector<std::array<Phasor, 4>> compliances(const CaseParameters& parameters,
     return result;
 }
 
+/// By how much a line is more than equal linear seats make of constant loads.
+std::array<Phasor, 4> over_linear(const ModulationTransfers& transfers, int bays, const std::array<Phasor, 4>& compliance) {
+    if (bays > transfers.rolling.at.front().highest) return {};
+    const std::array<Phasor, 16> linear = rolling_at(transfers.rolling, bays, 0.0);
+    std::array<Phasor, 4> ratio;
+    for (std::size_t i = 0; i < 4; ++i) ratio[i] = -compliance[i] / (linear[i * 4] + linear[i * 4 + 1] + linear[i * 4 + 2] + linear[i * 4 + 3]);
+    return ratio;
+}
+
 /// Where a frequency of either sign lies between the lines.
 struct Place {
     std::size_t below;
@@ -56,15 +67,28 @@ struct Place {
 
 Phasor between(const std::vector<Phasor>& values, const Place& at) { return at.between(values[at.below], values[at.below + 1]); }
 
-/// How strongly a force at one frequency is heard at another.
-Phasor passed_on(const ModulationTransfers& transfers, bool of_differing_seats, double from, double to) {
+/// How strongly seats that differ pass a force at one frequency on to another.
+Phasor passed_on(const ModulationTransfers& transfers, double from, double to) {
     const Place in(transfers, from), out(transfers, to);
-    const Phasor share_in = between(transfers.seat_share, in), share_out = between(transfers.seat_share, out);
-    if (!of_differing_seats) return share_in + share_out;
-    return 0.5 * (share_in * between(transfers.receptance, out) + share_out * between(transfers.receptance, in));
+    return 0.5 * (between(transfers.seat_share, in) * between(transfers.receptance, out) + between(transfers.seat_share, out) * between(transfers.receptance, in));
 }
 
-/// Forces under the wheels for given irregularities under them.
+Modulation of_differing_seats(const ModulationTransfers& transfers, double shift_hz, const std::array<Phasor, 4>& compliance) {
+    Modulation own{.shift_hz = shift_hz};
+    const Phasor share = passed_on(transfers, shift_hz, shift_hz);
+    for (std::size_t wheel = 0; wheel < 4; ++wheel) own.under_wheel[wheel] = compliance[wheel] / share;
+    return own;
+}
+
+void add_both_sides(const Modulation& up, std::vector<Modulation>& orders) {
+    Modulation down{.shift_hz = -up.shift_hz, .bays = -up.bays};
+    for (std::size_t wheel = 0; wheel < 4; ++wheel) down.under_wheel[wheel] = std::conj(up.under_wheel[wheel]);
+    orders.push_back(up);
+    orders.push_back(down);
+}
+
+}  // namespace
+
 std::array<Phasor, 4> forces_of(const ModulationTransfers& transfers, double frequency, const std::array<Phasor, 4>& irregularity) {
     const Place at(transfers, frequency);
     const std::array<Phasor, 16>&low = transfers.force[at.below], &high = transfers.force[at.below + 1];
@@ -76,28 +100,23 @@ std::array<Phasor, 4> forces_of(const ModulationTransfers& transfers, double fre
     return result;
 }
 
-/// Forces under the wheels per unit of a source that the wheels meet one after the other.
-std::array<Phasor, 4> delayed_forces(const ModulationTransfers& transfers, const DelayedSpectrum& source, const std::vector<double>& wheels, double speed, double frequency) {
-    std::array<Phasor, 4> delay;
-    for (std::size_t j = 0; j < 4; ++j) delay[j] = source.share[j] * delay_phase(wheels, j, frequency, speed);
-    return forces_of(transfers, frequency, delay);
-}
+double modulation_end_hz(const CaseParameters& parameters, double speed) { return parameters.frequency.to_hz + kOrdersUnled * speed / parameters.track.spacing_m; }
 
-}  // namespace
-
-ModulationTransfers modulation_transfers(const CaseParameters& parameters, const CoupledModel& model) {
+ModulationTransfers modulation_transfers(const CaseParameters& parameters, const CoupledModel& model, double speed, RollingTable rolling, const ModulationTransfers* known) {
     constexpr double step = ModulationTransfers::kStep_hz;
-    const auto lines = std::max<std::size_t>(2, static_cast<std::size_t>(parameters.frequency.to_hz / step));
+    ModulationTransfers transfers{.force = {}, .receptance = {}, .seat_share = {}, .bay_hz = speed / parameters.track.spacing_m, .rolling = std::move(rolling), .rails = {}};
+    const auto lines = std::max<std::size_t>(2, static_cast<std::size_t>(modulation_end_hz(parameters, speed) / step));
     std::vector<std::size_t> responses;
     for (const char* wheel : {"contact_1", "contact_2", "contact_3", "contact_4"}) responses.push_back(response_index(wheel));
-    std::vector<RailGroup> rails = rail_groups(model, step, step, lines, 1, 1);
-    const WheelTransfers solved = wheel_transfers(model, step, step, lines, responses, 1, &rails);
+    if (known) transfers.rails = known->rails;
+    else transfers.rails = model.rail->has_equal_seats_alone() ? rolling_rails(transfers.rolling, model, step, step, lines) : rail_groups(model, step, step, lines, 1, 1);
+    const WheelTransfers solved = wheel_transfers(model, step, step, lines, responses, 1, &transfers.rails);
     const track::PadParameters& pads = parameters.track.pads;
     const double pad_n_per_m = pads.dynamic_to_static_ratio * pads.static_stiffness_n_per_m;
-    ModulationTransfers transfers{.force = std::vector<std::array<Phasor, 16>>(lines), .receptance = {}, .seat_share = {}};
+    transfers.force.resize(lines);
     for (std::size_t line = 0; line < lines; ++line) {
         std::copy_n(solved.at(line), 16, transfers.force[line].begin());
-        const Phasor receptance = rails[line / lanes::width].rail[0][0][static_cast<int>(line % lanes::width)];
+        const Phasor receptance = transfers.rails[line / lanes::width].rail[0][0][static_cast<int>(line % lanes::width)];
         transfers.receptance.push_back(receptance);
         transfers.seat_share.push_back(receptance * track::seat_stiffness(parameters.track, pad_n_per_m, 1.0, static_cast<double>(line + 1) * step));
     }
@@ -105,24 +124,36 @@ ModulationTransfers modulation_transfers(const CaseParameters& parameters, const
 }
 
 std::vector<Modulation> modulations(const CaseParameters& parameters, const TrackExcitation& track, const ModulationTransfers& transfers, double least) {
+    constexpr std::array<Phasor, 4> kAsItIs{1.0, 1.0, 1.0, 1.0};
     const std::vector<std::array<Phasor, 4>> compliance = compliances(parameters, track);
+    const int period = static_cast<int>(period_of(parameters));
+    const bool led = track.amplitude_factor != 0.0, stiffens = led && parameters.track.pads.preload_strength > 0.0;
+    std::vector<Modulation> orders;
     double strongest = 0.0;
     for (const auto& own : compliance) strongest = std::max(strongest, strength(own));
-    std::vector<Modulation> both_sides;
-    for (std::size_t line = 0; line < compliance.size(); ++line) {
-        if (strongest == 0.0 || strength(compliance[line]) < least * strongest) continue;
-        const double shift_hz = track.deflection[line].frequency_hz;
-        const bool differ = (line + 1) % period_of(parameters) != 0;
-        const Phasor share = passed_on(transfers, differ, differ ? shift_hz : 0.0, shift_hz);
-        Modulation up{.shift_hz = shift_hz, .of_differing_seats = differ}, down{.shift_hz = -shift_hz, .of_differing_seats = differ};
-        for (std::size_t wheel = 0; wheel < 4; ++wheel) {
-            up.compliance_m_per_n[wheel] = compliance[line][wheel] / share;
-            down.compliance_m_per_n[wheel] = std::conj(up.compliance_m_per_n[wheel]);
-        }
-        both_sides.push_back(up);
-        both_sides.push_back(down);
+    for (int line = 1; line <= static_cast<int>(compliance.size()); ++line) {
+        const std::array<Phasor, 4>& own = compliance[static_cast<std::size_t>(line - 1)];
+        const double shift_hz = track.deflection[static_cast<std::size_t>(line - 1)].frequency_hz;
+        const int bays = line % period == 0 ? line / period : 0;
+        if (bays > 0 && !led ? bays > kOrdersUnled : strength(own) < least * strongest) continue;
+        if (bays == 0) add_both_sides(of_differing_seats(transfers, shift_hz, own), orders);
+        else add_both_sides({.shift_hz = shift_hz, .bays = bays, .under_wheel = stiffens ? over_linear(transfers, bays, own) : kAsItIs}, orders);
     }
-    return both_sides;
+    for (int bays = 1; compliance.empty() && bays <= kOrdersUnled; ++bays) add_both_sides({.shift_hz = bays * transfers.bay_hz, .bays = bays, .under_wheel = kAsItIs}, orders);
+    return orders;
+}
+
+std::array<Phasor, 4> felt(const Modulation& modulation, const ModulationTransfers& transfers, const std::array<Phasor, 4>& force, double from) {
+    std::array<Phasor, 4> result{};
+    if (modulation.bays == 0) {
+        const Phasor share = passed_on(transfers, from, from + modulation.shift_hz);
+        for (std::size_t wheel = 0; wheel < 4; ++wheel) result[wheel] = share * modulation.under_wheel[wheel] * force[wheel];
+        return result;
+    }
+    const std::array<Phasor, 16> rolling = rolling_at(transfers.rolling, modulation.bays, from);
+    for (std::size_t i = 0; i < 4; ++i)
+        for (std::size_t j = 0; j < 4; ++j) result[i] -= modulation.under_wheel[i] * rolling[i * 4 + j] * force[j];
+    return result;
 }
 
 void feed_back_lines(const CaseParameters& parameters, const ModulationTransfers& transfers, TrackExcitation& track, int sweeps) {
@@ -140,44 +171,15 @@ void feed_back_lines(const CaseParameters& parameters, const ModulationTransfers
             for (int n = -highest; n <= highest; ++n) {
                 const int order = m - n;
                 if (n == 0 || order == 0 || std::abs(order) > highest || (sound && n == 1)) continue;
-                const Modulation& modulation = orders[static_cast<std::size_t>(2 * (std::abs(order) - 1) + (order < 0 ? 1 : 0))];
-                const Phasor share = passed_on(transfers, modulation.of_differing_seats, n * line_hz, m * line_hz);
-                for (std::size_t wheel = 0; wheel < 4; ++wheel) {
-                    const Phasor own = force[static_cast<std::size_t>(std::abs(n) - 1)][wheel];
-                    sum[wheel] += share * modulation.compliance_m_per_n[wheel] * (n < 0 ? std::conj(own) : own);
-                }
+                std::array<Phasor, 4> own = force[static_cast<std::size_t>(std::abs(n) - 1)];
+                if (n < 0)
+                    for (Phasor& one : own) one = std::conj(one);
+                const std::array<Phasor, 4> more = felt(orders[static_cast<std::size_t>(2 * (std::abs(order) - 1) + (order < 0 ? 1 : 0))], transfers, own, n * line_hz);
+                for (std::size_t wheel = 0; wheel < 4; ++wheel) sum[wheel] += more[wheel];
             }
             track.passing[static_cast<std::size_t>(m - 1)].amplitude_m = sum;
         }
     }
-}
-
-LineSet sidebands(const std::vector<Modulation>& orders, const ModulationTransfers& transfers, const LineSet& lines) {
-    LineSet beside{.name = lines.name, .lines = {}};
-    for (const SpectralLine& line : lines.lines) {
-        const std::array<Phasor, 4> force = forces_of(transfers, line.frequency_hz, line.amplitude_m);
-        for (const Modulation& order : orders) {
-            const double to = line.frequency_hz + order.shift_hz;
-            const Phasor share = passed_on(transfers, order.of_differing_seats, line.frequency_hz, to);
-            SpectralLine own{.frequency_hz = std::abs(to), .amplitude_m = {}};
-            for (std::size_t wheel = 0; wheel < 4; ++wheel) {
-                const Phasor felt = share * order.compliance_m_per_n[wheel] * force[wheel];
-                own.amplitude_m[wheel] = to < 0.0 ? std::conj(felt) : felt;
-            }
-            beside.lines.push_back(own);
-        }
-    }
-    return beside;
-}
-
-std::array<Phasor, 4> modulated_irregularity(const Modulation& modulation, const ModulationTransfers& transfers, const DelayedSpectrum& source,
-                                             const std::vector<double>& wheels, double speed, double frequency) {
-    const double from = frequency - modulation.shift_hz;
-    if (from == 0.0) return {};
-    std::array<Phasor, 4> felt = delayed_forces(transfers, source, wheels, speed, from);
-    const Phasor factor = std::sqrt(source.psd_m2_per_hz(std::abs(from))) * passed_on(transfers, modulation.of_differing_seats, from, frequency);
-    for (std::size_t wheel = 0; wheel < 4; ++wheel) felt[wheel] *= factor * modulation.compliance_m_per_n[wheel];
-    return felt;
 }
 
 }  // namespace railpem::pem

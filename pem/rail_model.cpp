@@ -4,10 +4,10 @@
 #include <numbers>
 #include <optional>
 
+#include "pem/rolling_rail.hpp"
 #include "track/equilibria_abreast.hpp"
 #include "track/exact_rail.hpp"
 #include "track/modal_rail.hpp"
-#include "track/moving_equilibrium.hpp"
 #include "track/scattered_rail.hpp"
 #include "track/seat_stiffness.hpp"
 
@@ -73,23 +73,9 @@ class ExactEvaluator : public RailEvaluator {
     track::RailReceptance scattered_, mean_;
 };
 
-/// Mean K0 of the supports within a bay of a wheel: what the smeared track of the convected change stands on.
-double stiffness_under_points(const track::ExactRail& rail) {
-    double sum = 0.0, count = 0.0;
-    for (const track::RailNode& point : rail.nodes) {
-        if (point.point < 0) continue;
-        for (const track::RailNode& node : rail.nodes) {
-            if (!node.supported || std::abs(node.position_m - point.position_m) > 1.01 * rail.spacing_m) continue;
-            sum += node.pad_stiffness_n_per_m * node.pad_scale;
-            count += 1.0;
-        }
-    }
-    return count > 0.0 ? sum / count : rail.uniform_pad_stiffness_n_per_m;
-}
-
 class ExactModel : public RailModel {
   public:
-    explicit ExactModel(std::vector<track::ExactRail> rails) : smeared_pad_(stiffness_under_points(rails.front())) {
+    explicit ExactModel(std::vector<track::ExactRail> rails) {
         for (track::ExactRail& rail : rails) {
             std::optional<track::ScatteredRail> scattered = track::scattered_rail(rail);
             rails_.push_back({std::move(rail), std::move(scattered)});
@@ -97,70 +83,9 @@ class ExactModel : public RailModel {
     }
     std::unique_ptr<RailEvaluator> evaluator() const override { return std::make_unique<ExactEvaluator>(rails_); }
 
-    void convected_change(double omega, double speed, const std::vector<double>& distances, track::ConvectedChange* change) const override {
-        track::convected_change(rails_.front().exact, smeared_pad_, omega, speed, distances, change);
-    }
-
   private:
     std::vector<PreparedRail> rails_;
-    double smeared_pad_;
 };
-
-std::vector<double> case_pads(const CaseParameters& parameters, const std::vector<double>& wheels) {
-    return track::pad_positions(parameters.track, wheels, parameters.solver.rail == RailSolution::modal ? parameters.solver.pads : 0);
-}
-
-/// Where to begin with n positions per bay, in bays. A rail that shears has a kink over every seat, and the mean of n places misses that of all by ½h²·B₂(θ) times the jump of the slope, h = spacing/n
-/// and θ·h the distance of a seat to the next place of the wheel (Euler and Maclaurin; B₂(θ) = θ² − θ + 1/6). It was 0.4 % of the response at 114 Hz with three. The offset at which that is least
-/// over the wheels: nothing where all of them stand alike to the seats.
-double offset_between_kinks(const std::vector<double>& wheels_m, double spacing_m, int n) {
-    constexpr int kTried = 256;
-    double best = 0.0, least = 1e300;
-    for (int i = 0; i < kTried; ++i) {
-        double sum = 0.0;
-        for (const double wheel : wheels_m) {
-            const double place = static_cast<double>(i) / kTried + n * (wheel - wheels_m.front()) / spacing_m, theta = place - std::floor(place);
-            sum += std::pow(theta * theta - theta + 1.0 / 6.0, 2);
-        }
-        if (sum < least) least = sum, best = static_cast<double>(i) / kTried / n;
-    }
-    return best;
-}
-
-/// Rails for wheels that roll over the track: at rest one, as the case has it. In motion the mean over positions that take
-/// the first two harmonics of a bay out of the receptance (three per bay, four on a rail that shears, and every bay of a period of failed fasteners);
-/// random failures enter by their mean. Pads that preload stiffens are those under rolling wheels (track/moving_equilibrium.hpp).
-std::vector<track::ExactRail> positions(const CaseParameters& parameters, const std::vector<double>& wheels_m, const track::StaticEquilibrium& equilibrium,
-                                        double speed_m_per_s) {
-    if (!parameters.solver.moving) return {track::exact_rail(parameters.track, wheels_m, equilibrium)};
-    const bool shears = parameters.track.rail.beam == track::Beam::timoshenko;
-    const int per_bay = shears ? 4 : 3;
-    const double first_bay = shears ? offset_between_kinks(wheels_m, parameters.track.spacing_m, per_bay) : 0.0;
-    CaseParameters moved = parameters;
-    int period = 1;
-    for (track::FailedFasteners& failed : moved.track.failed_fasteners) {
-        if (failed.every > 0) period = failed.every;
-        const double mean = 1.0 - failed.fraction * (1.0 - failed.remaining_stiffness_fraction);
-        moved.track.pads.dynamic_to_static_ratio *= mean;
-        moved.track.pads.damping_n_s_per_m *= mean;
-        failed.fraction = 0.0;
-    }
-    const int first_seat = moved.track.failed_fasteners.empty() ? 0 : moved.track.failed_fasteners.front().first_seat;
-    const bool load_matters = moved.track.pads.preload_strength > 0.0;
-    track::PassingChange change;
-    if (load_matters) change = track::passing_change(moved.track, wheels_m, wheel_load_n(parameters), speed_m_per_s);
-    std::vector<track::ExactRail> rails;
-    track::StaticEquilibrium previous;
-    for (int k = 0; k < per_bay * period; ++k) {
-        const double bays = first_bay + static_cast<double>(k) / per_bay;
-        moved.track.wheel_offset_m = (bays - std::floor(bays)) * parameters.track.spacing_m;
-        for (track::FailedFasteners& failed : moved.track.failed_fasteners) failed.first_seat = first_seat - static_cast<int>(bays);
-        previous = load_matters ? track::moving_equilibrium(moved.track, wheels_m, wheel_load_n(parameters), case_pads(moved, wheels_m), change, &previous)
-                                : dynamic_equilibrium(moved);
-        rails.push_back(track::exact_rail(moved.track, wheels_m, previous));
-    }
-    return rails;
-}
 
 /// The design's rail, line by line through a dense solve.
 class ModalEvaluator : public RailEvaluator {
@@ -199,21 +124,20 @@ class ModalModel : public RailModel {
     ModalModel(const track::TrackParameters& track, const std::vector<double>& points, int modes, track::StaticEquilibrium equilibrium)
         : track_(track),
           equilibrium_(std::move(equilibrium)),
-          rail_(track::modal_rail(track_, equilibrium_.position_m, points, modes)),
-          smeared_(track::exact_rail(track_, points, equilibrium_)) {}
+          rail_(track::modal_rail(track_, equilibrium_.position_m, points, modes)) {}
     std::unique_ptr<RailEvaluator> evaluator() const override { return std::make_unique<ModalEvaluator>(rail_, track_, equilibrium_); }
-    void convected_change(double omega, double speed, const std::vector<double>& distances, track::ConvectedChange* change) const override {
-        track::convected_change(smeared_, stiffness_under_points(smeared_), omega, speed, distances, change);
-    }
 
   private:
     track::TrackParameters track_;
     track::StaticEquilibrium equilibrium_;
     track::ModalRail rail_;
-    track::ExactRail smeared_;  ///< only for the convected change
 };
 
 }  // namespace
+
+std::vector<double> case_pads(const CaseParameters& parameters, const std::vector<double>& wheels) {
+    return track::pad_positions(parameters.track, wheels, parameters.solver.rail == RailSolution::modal ? parameters.solver.pads : 0);
+}
 
 track::StaticEquilibrium case_equilibrium(const CaseParameters& parameters) {
     const std::vector<double> wheels = vehicle::wheel_positions(parameters.vehicle);
@@ -235,11 +159,16 @@ std::vector<track::StaticEquilibrium> dynamic_equilibria(const CaseParameters& p
     return track::equilibria_abreast(parameters.track, wheels, wheel_load_n(parameters), case_pads(parameters, wheels), first_seats, start);
 }
 
+std::unique_ptr<RailModel> exact_rails(std::vector<track::ExactRail> rails) { return std::make_unique<ExactModel>(std::move(rails)); }
+
 std::unique_ptr<RailModel> rail_model(const CaseParameters& parameters, const std::vector<double>& wheels_m,
                                       const track::StaticEquilibrium& equilibrium, double speed_m_per_s) {
-    if (parameters.solver.rail == RailSolution::modal)
-        return std::make_unique<ModalModel>(parameters.track, wheels_m, parameters.solver.modes, equilibrium);
-    return std::make_unique<ExactModel>(positions(parameters, wheels_m, equilibrium, speed_m_per_s));
+    const bool exact = parameters.solver.rail == RailSolution::exact, rolls = parameters.solver.moving && speed_m_per_s > 0.0;
+    if (exact && rolls) return rolling_rail(parameters, wheels_m, speed_m_per_s);
+    std::unique_ptr<RailModel> standing;
+    if (exact) standing = exact_rails({track::exact_rail(parameters.track, wheels_m, equilibrium)});
+    else standing = std::make_unique<ModalModel>(parameters.track, wheels_m, parameters.solver.modes, equilibrium);
+    return rolls ? rolling_rail(parameters, wheels_m, speed_m_per_s, std::move(standing)) : std::move(standing);
 }
 
 }  // namespace railpem::pem

@@ -3,7 +3,6 @@
 #include <memory>
 
 #include "pem/case_parameters.hpp"
-#include "track/convected_rail.hpp"
 #include "track/exact_rail.hpp"
 
 namespace railpem::pem {
@@ -12,8 +11,14 @@ namespace railpem::pem {
 class RailEvaluator {
   public:
     virtual ~RailEvaluator() = default;
-    /// Receptances between the wheels and the sum of the pad forces, for ω in rad/s. Valid until the next call.
+    /// Receptances between the wheels and the sum of the pad forces, for ω in rad/s; in motion those from front to rear are not those from rear to front. Valid until the next call.
     virtual const track::RailReceptance& at(lanes::Real omega) = 0;
+};
+
+/// Equal seats, over which wheels roll.
+struct EqualSeats {
+    track::TrackParameters track;
+    double pad_stiffness_n_per_m = 0.0;  ///< K0 of every pad
 };
 
 /// A rail prepared for all frequencies; shared between threads, immutable.
@@ -21,15 +26,22 @@ class RailModel {
   public:
     virtual ~RailModel() = default;
     virtual std::unique_ptr<RailEvaluator> evaluator() const = 0;
-    /// R(v) − R(0) for points at these distances, into `change` (track/convected_rail.hpp).
-    virtual void convected_change(double omega, double speed_m_per_s, const std::vector<double>& distances_m,
-                                  track::ConvectedChange* change) const = 0;
+    /// Those of a rail in motion, otherwise nothing.
+    virtual const EqualSeats* equal_seats() const { return nullptr; }
+    /// Nothing differs from them.
+    virtual bool has_equal_seats_alone() const { return false; }
 };
 
-/// The rail that the case asks for (solver.rail), on the pads of the static equilibrium; with solver.moving the exact one stands on the pads as
-/// wheels at this speed press them.
+/// The rail that the case asks for (solver.rail), on the pads of the static equilibrium; with solver.moving under wheels that roll (rolling_rail.hpp), the exact one on the pads as
+/// they press them.
 std::unique_ptr<RailModel> rail_model(const CaseParameters& parameters, const std::vector<double>& wheels_m,
                                       const track::StaticEquilibrium& equilibrium, double speed_m_per_s = 0.0);
+
+/// The mean over rails that the wheels meet alike often.
+std::unique_ptr<RailModel> exact_rails(std::vector<track::ExactRail> rails);
+
+/// Where the case has pads, m; `wheels_m` as in rail_model().
+std::vector<double> case_pads(const CaseParameters& parameters, const std::vector<double>& wheels_m);
 
 /// Static equilibrium of the case: the same pads, the same rail, the same wheel positions as in its dynamics.
 track::StaticEquilibrium case_equilibrium(const CaseParameters& parameters);

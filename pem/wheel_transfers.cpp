@@ -30,7 +30,7 @@ std::vector<RailGroup> solved_rails(const CoupledModel& model, double from_hz, d
         failure.guard([&] { workspace.emplace(model); });
 #pragma omp for schedule(dynamic, 4)
         for (std::size_t group = 0; group < rails.size(); ++group)
-            failure.guard([&] { rails[group] = rail_group(model, omega_of(from_hz, step_hz, group * lanes::width, lines), *workspace); });
+            failure.guard([&] { rails[group] = rail_group(omega_of(from_hz, step_hz, group * lanes::width, lines), *workspace); });
     }
     failure.rethrow();
     return rails;
@@ -99,7 +99,7 @@ WheelTransfers wheel_transfers(const CoupledModel& model, double from_hz, double
         for (std::size_t group = 0; group < groups; ++group) failure.guard([&] {
             const std::size_t first = group * lanes::width;
             const lanes::Real omega = omega_of(from_hz, step_hz, first, lines);
-            const RailGroup rail = known ? (*rails)[group] : rail_group(model, omega, *workspace);
+            const RailGroup rail = known ? (*rails)[group] : rail_group(omega, *workspace);
             if (rails && !known) (*rails)[group] = rail;
             const GroupSolution& solution = solve_group(model, rail, *workspace);
             for (std::size_t wheel = 0; wheel < 4; ++wheel) {

@@ -54,7 +54,7 @@ struct Options {
     OnlyHereParameters only_here;
 
     /// Marching step at most, s: at 180 Hz the method's damping is then 1.6e-4 of critical and half the step changes no
-    /// sixth-octave level by more than 0.01 dB.
+    /// sixth-octave level by more than 0.01 dB. Shorter by itself where pads hardly damp.
     double largest_step_s = 0.2e-3;
     /// Time before the record, s: five times the slowest decay of an ordinary vehicle (body bounce at 1 Hz, 15 %).
     double settling_s = 5.0;

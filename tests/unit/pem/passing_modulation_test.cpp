@@ -25,7 +25,7 @@ Passing passing(CaseParameters c) {
     c.frequency = {.from_hz = 1.0, .to_hz = 200.0, .step_hz = 1.0};
     c.sleeper_passing.amplitude_factor = c.sleeper_passing.amplitude_factor == 0.0 ? 1.0 : c.sleeper_passing.amplitude_factor;
     const CoupledModel model = coupled_model(c, kRollingSpeed);
-    return {c, modulation_transfers(c, model), track_excitation(c, vehicle::wheel_positions(c.vehicle), kRollingSpeed, &model)};
+    return {c, modulation_transfers(c, model, kRollingSpeed, rolling_table(model, kRollingSpeed, modulation_end_hz(c, kRollingSpeed))), track_excitation(c, vehicle::wheel_positions(c.vehicle), kRollingSpeed, &model)};
 }
 
 CaseParameters failed_case() {
@@ -46,7 +46,7 @@ TEST(PassingModulation, AmplitudeOfTheLinesDoesNotCount) {
     ASSERT_FALSE(a.empty());
     for (std::size_t i = 0; i < a.size(); ++i)
         for (std::size_t wheel = 0; wheel < 4; ++wheel)
-            EXPECT_NEAR(std::abs(b[i].compliance_m_per_n[wheel] / a[i].compliance_m_per_n[wheel] - 1.0), 0.0, 1e-12);
+            EXPECT_NEAR(std::abs(b[i].under_wheel[wheel] / a[i].under_wheel[wheel] - 1.0), 0.0, 1e-12);
 }
 
 // γ(t) is real: the orders of either side are conjugates.
@@ -55,7 +55,7 @@ TEST(PassingModulation, SidesAreConjugate) {
     const auto orders = modulations(sound.parameters, sound.alone, sound.transfers, 0.0);
     for (std::size_t i = 0; i + 1 < orders.size(); i += 2) {
         EXPECT_EQ(orders[i].shift_hz, -orders[i + 1].shift_hz);
-        for (std::size_t wheel = 0; wheel < 4; ++wheel) EXPECT_EQ(orders[i].compliance_m_per_n[wheel], std::conj(orders[i + 1].compliance_m_per_n[wheel]));
+        for (std::size_t wheel = 0; wheel < 4; ++wheel) EXPECT_EQ(orders[i].under_wheel[wheel], std::conj(orders[i + 1].under_wheel[wheel]));
     }
 }
 

@@ -1,0 +1,76 @@
+#include "pem/rolling_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pem/angular_frequency.hpp"
+#include "track/pad_law.hpp"
+
+namespace railpem::pem {
+
+namespace {
+
+using Phasor = std::complex<double>;
+
+constexpr double kRest_hz = 0.01;
+constexpr double kOrdinaryLoss = 0.4, kFinest = 0.125;
+constexpr double kResonance_hz = 150.0;  ///< about where the rail resonates on pads that let it
+constexpr int kPoints = 6;
+
+double table_step(const EqualSeats& seats) {
+    const Phasor pad = seats.pad_stiffness_n_per_m * track::pad_shape(seats.track.pads, kResonance_hz) + Phasor(0.0, kTwoPi * kResonance_hz * track::pad_damping(seats.track.pads));
+    return 4.0 * std::clamp(std::exp2(std::ceil(std::log2(std::max(1e-3, pad.imag() / pad.real()) / kOrdinaryLoss))), kFinest, 1.0);
+}
+
+}  // namespace
+
+RollingTable rolling_table(const CoupledModel& model, double speed, double to_hz) {
+    RollingTable table;
+    const EqualSeats* seats = model.rail->equal_seats();
+    if (!seats) return table;
+    table.step_hz = table_step(*seats);
+    const auto lines = std::max<std::size_t>(kPoints, static_cast<std::size_t>(to_hz / table.step_hz) + 4);
+    for (std::size_t line = 0; line < lines; ++line)
+        table.at.push_back(track::rolling_receptance(seats->track, seats->pad_stiffness_n_per_m, model.wheels_m, speed, std::max(kRest_hz, static_cast<double>(line) * table.step_hz),
+                                                     seats->track.rail.beam == track::Beam::timoshenko ? 3 : 2));
+    return table;
+}
+
+std::array<Phasor, 16> rolling_at(const RollingTable& table, int order, double frequency) {
+    const double place = std::abs(frequency) / table.step_hz;
+    // Below zero the other side's conjugate: the window stays in the middle.
+    const long base = std::min(static_cast<long>(place) - kPoints / 2 + 1, static_cast<long>(table.at.size()) - kPoints);
+    const double t = std::min(place - static_cast<double>(base), kPoints - 1.0);
+    const int own_order = frequency < 0.0 ? -order : order;
+    if (std::abs(order) > table.at.front().highest) return {};
+    std::array<Phasor, 16> result{};
+    for (int k = 0; k < kPoints; ++k) {
+        double weight = 1.0;
+        for (int j = 0; j < kPoints; ++j)
+            if (j != k) weight *= (t - j) / (k - j);
+        const long line = base + k;
+        const Phasor* values = &table.at[static_cast<std::size_t>(std::abs(line))].at(line < 0 ? -own_order : own_order, 0, 0);
+        for (std::size_t pair = 0; pair < 16; ++pair) result[pair] += weight * (line < 0 ? std::conj(values[pair]) : values[pair]);
+    }
+    if (frequency < 0.0)
+        for (Phasor& own : result) own = std::conj(own);
+    return result;
+}
+
+std::vector<RailGroup> rolling_rails(const RollingTable& table, const CoupledModel& model, double from_hz, double step_hz, std::size_t lines) {
+    const EqualSeats& seats = *model.rail->equal_seats();
+    std::vector<RailGroup> rails((lines + lanes::width - 1) / lanes::width);
+    for (std::size_t group = 0; group < rails.size(); ++group) {
+        RailGroup& own = rails[group];
+        for (int lane = 0; lane < lanes::width; ++lane) {
+            const double frequency = from_hz + static_cast<double>(std::min(group * lanes::width + static_cast<std::size_t>(lane), lines - 1)) * step_hz;
+            own.omega[lane] = kTwoPi * frequency;
+            const std::array<Phasor, 16> receptance = rolling_at(table, 0, frequency);
+            for (std::size_t pair = 0; pair < 16; ++pair) own.rail[pair / 4][pair % 4].set(lane, receptance[pair]);
+        }
+        own.trackbed.fill(track::rolling_trackbed(seats.track, seats.pad_stiffness_n_per_m, own.omega));
+    }
+    return rails;
+}
+
+}  // namespace railpem::pem
