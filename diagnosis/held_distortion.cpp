@@ -62,7 +62,7 @@ void hold_contact_distortion(Observation& observation, const pem::CaseParameters
         const long bin = std::clamp(std::lround(frequency / bin_hz) - first, 0L, static_cast<long>(ratio.size()) - 1);
         return ratio[static_cast<std::size_t>(bin)];
     };
-    observation.expectation.beside = {pem::contact_distortion(parameters, observation.speed_m_per_s, at)};
+    observation.expectation.beside = pem::contact_distortion(parameters, observation.speed_m_per_s, at);
 }
 
 }  // namespace railpem::diagnosis

@@ -13,6 +13,7 @@
 #include "diagnosis/scalar_likelihood.hpp"
 #include "diagnosis/separate.hpp"
 #include "diagnosis/shows.hpp"
+#include "diagnosis/wheel_unloading.hpp"
 
 namespace railpem::diagnosis {
 
@@ -277,8 +278,8 @@ class WritingUp {
         if (missed > thresholds_.residual)
             result_.remains.push_back(fmt::format("the unseen part repeats {:.0f} nats of what the fit misses, more than chance: something of the recordings has no name here", missed));
         if (!study_.at_named.empty() && study_.at_named.front().nats > thresholds_.residual)
-            result_.remains.push_back("a free correction of the " + element_name(study_.at_named.front().element) + " would still bring " +
-                                      std::to_string(static_cast<int>(study_.at_named.front().nats)) + " nats");
+            result_.remains.push_back(fmt::format("a free correction of the {} would still bring {:.0f} nats", element_name(study_.at_named.front().element), std::trunc(study_.at_named.front().nats)));
+        for (const std::string& said : wheel_unloading(named_.fit.trial, believed_, observations_)) result_.remains.push_back(said);
     }
 
     const BelievedCase& believed_;

@@ -31,10 +31,10 @@ PadTransfers pad_transfers(const CaseParameters& parameters, const CoupledModel&
         transfers.force_per_m2 = 0.5 * loaded.curvature_m_per_n2 / std::pow(loaded.compliance_m_per_n, 3);
         transfers.rails = rail_groups(model, kSquareStep_hz, kSquareStep_hz, lines, kSquareRailEvery, 1);
     }
-    const WheelTransfers rail = wheel_transfers(model, kSquareStep_hz, kSquareStep_hz, lines, {response_index("rail_1"), response_index("rail_2")}, 1, &transfers.rails);
+    const WheelTransfers rail = wheel_transfers(model, kSquareStep_hz, kSquareStep_hz, lines, {response_index("rail_1"), response_index("rail_2"), response_index("rail_3"), response_index("rail_4")}, 1, &transfers.rails);
     for (std::size_t line = 0; line < lines; ++line) {
         const double f = static_cast<double>(line + 1) * kSquareStep_hz, omega = kTwoPi * f;
-        std::array<Phasor, 8> displacement;
+        std::array<Phasor, 16> displacement;
         for (std::size_t i = 0; i < displacement.size(); ++i) displacement[i] = rail.at(line)[i] / (-omega * omega);
         transfers.rail.push_back(displacement);
         const Phasor receptance = transfers.rails[line / lanes::width].rail[0][0][static_cast<int>(line % lanes::width)];
@@ -45,9 +45,12 @@ PadTransfers pad_transfers(const CaseParameters& parameters, const CoupledModel&
 
 std::vector<DelayedSpectrum> pad_distortion(const PadTransfers& transfers, const std::vector<DelayedSpectrum>& broadband, const std::vector<double>& wheels_m, double speed) {
     if (transfers.rail.empty()) return {};
-    std::vector<double> power = half_difference_of_squares(transfers.rail, broadband, wheels_m, speed);
-    for (std::size_t k = 1; k < power.size(); ++k) power[k] *= transfers.response2[k - 1];
-    return {difference_source("pad_distortion", std::move(power))};
+    std::vector<DelayedSpectrum> sources;
+    for (std::vector<double>& power : contrasts_of_squares(transfers.rail, broadband, wheels_m, speed)) {
+        for (std::size_t k = 1; k < power.size(); ++k) power[k] *= transfers.response2[k - 1];
+        sources.push_back(contrast_source("pad_distortion", sources.size(), std::move(power)));
+    }
+    return sources;
 }
 
 }  // namespace railpem::pem

@@ -13,7 +13,7 @@ namespace railpem::pem {
 
 /// What of the distortion does not depend on the excitation, at 1, 2, … Hz.
 struct PadTransfers {
-    BogieTransfers rail;             ///< displacement of the rail
+    SquareTransfers rail;            ///< displacement of the rail
     std::vector<double> response2;   ///< |½(κ/C³)·R·g|², as below
     double force_per_m2 = 0.0;       ///< ½κ/C³
     std::vector<RailGroup> rails;
@@ -24,7 +24,7 @@ PadTransfers pad_transfers(const CaseParameters& parameters, const CoupledModel&
 
 /// Second-order distortion. Under a load P0 + F(t) the rail sinks by w(P0) + C·F + ½κF² (track::loaded_deflection()); seen as a law of the pads under the wheel,
 /// their force lacks q = −½(κ/C³)·g∗y², y the rail's displacement there, g the shape of the pads in frequency, and the rail moves by R·q, which acts like an irregularity d_i under wheel i:
-/// a source as second_order.hpp has it, the squares of y times |½(κ/C³)·R·g|². Tens of dB below the linear response, it decides what their coherence says (NullRecord.PadsThatStiffenUnderLoadDistort: whitened trace 1.47 without it). R is that of the wheel's own point, κ and C are those at rest frequency
+/// sources as second_order.hpp has them, the squares of y times |½(κ/C³)·R·g|². Tens of dB below the linear response, it decides what their coherence says (NullRecord.PadsThatStiffenUnderLoadDistort: whitened trace 1.47 without it). R is that of the wheel's own point, κ and C are those at rest frequency
 /// over a pad; third order is left out. Empty for empty transfers.
 std::vector<DelayedSpectrum> pad_distortion(const PadTransfers& transfers, const std::vector<DelayedSpectrum>& broadband, const std::vector<double>& wheels_m,
                                             double speed_m_per_s);

@@ -11,60 +11,66 @@ namespace {
 
 using Phasor = std::complex<double>;
 
-/// At k·kSquareStep_hz, k = 0 (nothing) on: two-sided spectra of the response under wheels 1 and 2, as each meets the track, the delay between them taken off.
-struct UnderBogie {
-    std::vector<Phasor> leading{0.0}, trailing{0.0}, cross{0.0};
-};
+constexpr std::size_t kPairs = 10;
 
-UnderBogie under_bogie(const BogieTransfers& transfers, const std::vector<DelayedSpectrum>& broadband, const std::vector<double>& wheels_m, double speed) {
-    UnderBogie under;
+/// Two-sided cross-spectra of the response under every two wheels, i ≤ j, as each meets the track: the delays between them taken off. At k·kSquareStep_hz, k = 0 (nothing) on.
+std::array<std::vector<Phasor>, kPairs> spectra_of_pairs(const SquareTransfers& transfers, const std::vector<DelayedSpectrum>& broadband, const std::vector<double>& wheels_m, double speed) {
+    std::array<std::vector<Phasor>, kPairs> pairs;
+    for (auto& own : pairs) own.assign(transfers.size() + 1, 0.0);
     for (std::size_t line = 0; line < transfers.size(); ++line) {
         const double f = static_cast<double>(line + 1) * kSquareStep_hz;
         std::array<Phasor, 4> delay;
         for (std::size_t j = 0; j < 4; ++j) delay[j] = delay_phase(wheels_m, j, f, speed);
-        Phasor leading = 0.0, trailing = 0.0, cross = 0.0;
         for (const DelayedSpectrum& source : broadband) {
-            std::array<Phasor, 2> y;
-            for (std::size_t wheel = 0; wheel < 2; ++wheel) {
+            std::array<Phasor, 4> y{};
+            for (std::size_t wheel = 0; wheel < 4; ++wheel) {
                 for (std::size_t j = 0; j < 4; ++j) y[wheel] += transfers[line][wheel * 4 + j] * source.share[j] * delay[j];
                 y[wheel] *= std::conj(delay[wheel]);
             }
             const double power = 0.5 * source.psd_m2_per_hz(f);
-            leading += power * std::norm(y[0]);
-            trailing += power * std::norm(y[1]);
-            cross += power * y[0] * std::conj(y[1]);
+            std::size_t pair = 0;
+            for (std::size_t i = 0; i < 4; ++i)
+                for (std::size_t j = i; j < 4; ++j) pairs[pair++][line + 1] += power * y[i] * std::conj(y[j]);
         }
-        under.leading.push_back(leading);
-        under.trailing.push_back(trailing);
-        under.cross.push_back(cross);
     }
-    return under;
+    return pairs;
 }
 
 }  // namespace
 
-std::vector<double> half_difference_of_squares(const BogieTransfers& transfers, const std::vector<DelayedSpectrum>& broadband, const std::vector<double>& wheels_m, double speed) {
-    const UnderBogie under = under_bogie(transfers, broadband, wheels_m, speed);
+std::vector<std::vector<double>> contrasts_of_squares(const SquareTransfers& transfers, const std::vector<DelayedSpectrum>& broadband, const std::vector<double>& wheels_m, double speed) {
+    const auto pairs = spectra_of_pairs(transfers, broadband, wheels_m, speed);
     std::size_t size = 64;
-    while (size < 4 * under.cross.size()) size *= 2;  // twice the band on both sides: nothing wraps around
+    while (size < 4 * (transfers.size() + 1)) size *= 2;  // twice the band on both sides: nothing wraps around
     Eigen::FFT<double> transform;
     transform.SetFlag(Eigen::FFT<double>::HalfSpectrum);
-    std::vector<double> sum(size, 0.0), correlation;
-    for (const auto& [spectrum, weight] : {std::pair(&under.leading, 1.0), std::pair(&under.trailing, 1.0), std::pair(&under.cross, -2.0)}) {
-        std::vector<Phasor> half(*spectrum);
-        half.resize(size / 2 + 1, 0.0);
-        transform.inv(correlation, half);
-        for (std::size_t i = 0; i < size; ++i) sum[i] += weight * correlation[i] * correlation[i];
+    std::array<std::vector<double>, kContrasts.size()> sums;
+    for (auto& own : sums) own.assign(size, 0.0);
+    std::size_t pair = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+        for (std::size_t j = i; j < 4; ++j) {
+            std::vector<Phasor> half(pairs[pair++]);
+            half.resize(size / 2 + 1, 0.0);
+            std::vector<double> correlation;
+            transform.inv(correlation, half);
+            for (std::size_t c = 0; c < sums.size(); ++c) {
+                const double weight = kContrasts[c][i] * kContrasts[c][j] / 16.0 * (i == j ? 1.0 : 2.0);
+                for (std::size_t t = 0; t < size; ++t) sums[c][t] += weight * correlation[t] * correlation[t];
+            }
+        }
+    std::vector<std::vector<double>> result;
+    for (const std::vector<double>& sum : sums) {
+        std::vector<Phasor> half;
+        transform.fwd(half, sum);
+        // Twice the product of two-sided spectra is the cross-spectrum of the squares; twice that the one-sided one.
+        std::vector<double> power{0.0};
+        for (std::size_t k = 1; k <= transfers.size(); ++k) power.push_back(std::max(0.0, half[k].real()) * 4.0 * static_cast<double>(size) * kSquareStep_hz);
+        result.push_back(std::move(power));
     }
-    std::vector<Phasor> half;
-    transform.fwd(half, sum);
-    // Twice the product of two-sided spectra is the cross-spectrum of the squares; twice that the one-sided one; a quarter of it that of half the difference.
-    std::vector<double> result{0.0};
-    for (std::size_t k = 1; k < under.cross.size(); ++k) result.push_back(std::max(0.0, half[k].real()) * static_cast<double>(size) * kSquareStep_hz);
     return result;
 }
 
-DelayedSpectrum difference_source(const char* name, std::vector<double> power) {
+DelayedSpectrum contrast_source(const char* name, std::size_t contrast, std::vector<double> power) {
     const auto shared = std::make_shared<const std::vector<double>>(std::move(power));
     const auto psd = [shared](double f) {
         const double place = f / kSquareStep_hz;
@@ -73,7 +79,7 @@ DelayedSpectrum difference_source(const char* name, std::vector<double> power) {
         const double share = place - static_cast<double>(k);
         return (1.0 - share) * (*shared)[k] + share * (*shared)[k + 1];
     };
-    return {name, psd, {1.0, -1.0, 1.0, -1.0}};
+    return {name, psd, kContrasts[contrast]};
 }
 
 }  // namespace railpem::pem

@@ -20,8 +20,8 @@ using Phasor = std::complex<double>;
 constexpr int kAliases = 4;             ///< terms of Σ_n beyond the highest order, on each side; what is left falls with n⁻⁴, and of a rail that shears with n⁻²
 constexpr double kLogImages = 11.5;     ///< −log 1e-5
 constexpr double kReach = 6.0;          ///< in wavenumbers of the rail on its supports, beyond the highest order; p_m falls with its eighth power
-constexpr double kBreakFelt = 4.0;      ///< in the same
-constexpr double kRefined = 6.0;
+constexpr double kBreakFelt = 4.0, kBreakAmongWaves = 1.5;  ///< in the same
+constexpr double kRefined = 6.0, kMostRefined = 24.0;
 constexpr double kMostPoints = 20000.0;
 constexpr double kLeast_rad_per_s = 1e-6;
 
@@ -40,7 +40,7 @@ Grid wavenumber_grid(const TrackParameters& track, double pad_stiffness, double 
     const double decay = std::max(1e-3, std::min(std::abs(root.real()), std::abs(root.imag())));
     const double half = kReach * std::max(std::abs(root), foundation) + highest * 2.0 * std::numbers::pi / track.spacing_m;
     // What losses that turn their sign at ω' = 0 make of the rail does not decay exponentially: the rule is as good there as its step is short.
-    const double refined = omega / speed < kBreakFelt * foundation ? kRefined : 1.0;
+    const double place = omega / speed / foundation, refined = place < kBreakAmongWaves ? kMostRefined : place < kBreakFelt ? kRefined : 1.0;
     const double step = std::max(2.0 * std::numbers::pi / (farthest + kLogImages / decay) / refined, 2.0 * half / kMostPoints);
     return {step, static_cast<int>(std::ceil(half / step / lanes::width)), std::remainder(omega / speed, step)};
 }

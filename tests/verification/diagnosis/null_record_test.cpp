@@ -116,7 +116,7 @@ TEST(NullRecord, ContactsThatStiffenUnderLoadDistort) {
     model.sleeper_passing.amplitude_factor = 1.0;
     model.running.speed_fluctuation = 1e-5;
     const auto as_believed = [](double) { return 1.0; };
-    EXPECT_NEAR(mean_trace(series, model, 4.0, kFast, {pem::contact_distortion(model, kFast, as_believed)}), 1.0, 0.03);
+    EXPECT_NEAR(mean_trace(series, model, 4.0, kFast, pem::contact_distortion(model, kFast, as_believed)), 1.0, 0.03);
     EXPECT_GE(mean_trace(series, model, 4.0, kFast), 1.04);
 }
 
