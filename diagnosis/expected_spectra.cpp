@@ -171,7 +171,9 @@ ExpectationCache prepared(const pem::CaseParameters& parameters, double speed, c
     if (!model.rail->equal_seats()) return own;
     own.modulation = pem::modulation_transfers(parameters, model, speed, std::move(rolling), same_rail ? &known->modulation : nullptr);
     own.orders = pem::modulations(parameters, own.track, own.modulation, kLeastOrder);
-    own.felt = pem::felt_orders(own.orders, own.modulation);
+    std::vector<pem::Modulation> all = own.orders;
+    for (const pem::Modulation& random : pem::random_modulations(own.track, own.modulation, speed)) all.push_back(random);
+    own.felt = pem::felt_orders(all, own.modulation);
     own.of_irregularity = with_what_comes_back(own.transfers, own.felt.front());
     pem::feed_back_lines(parameters, own.modulation, own.track);
     return own;

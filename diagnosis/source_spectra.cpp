@@ -48,7 +48,9 @@ std::vector<Complex> fine_responses(const pem::WheelTransfers& transfers, const 
         if (root == 0.0) continue;
         pem::interpolate(transfers, f, at.data());
         Complex e[4];
-        for (std::size_t j = 0; j < 4; ++j) e[j] = root * source.share[j] * pem::delay_phase(wheels, j, f, speed);
+        if (source.under_wheels) std::ranges::copy(source.under_wheels(f), e);
+        else
+            for (std::size_t j = 0; j < 4; ++j) e[j] = root * source.share[j] * pem::delay_phase(wheels, j, f, speed);
         for (std::size_t c = 0; c < channels; ++c) {
             double re = 0.0, im = 0.0;  // plain products: no check for infinities in the inner loop
             for (std::size_t j = 0; j < 4; ++j) {

@@ -39,11 +39,11 @@ double contact_force_variation(const CaseParameters& parameters, double speed) {
     std::array<double, 4> power{};
     for (const DelayedSpectrum& source : excitation(parameters, wheels, speed).broadband)
         for (std::size_t line = 0; line < force.size(); ++line) {
-            const double f = static_cast<double>(line + 1) * kSquareStep_hz, density = source.psd_m2_per_hz(f);
+            const std::array<std::complex<double>, 4> e = met(source, wheels, speed, static_cast<double>(line + 1) * kSquareStep_hz);
             for (std::size_t wheel = 0; wheel < 4; ++wheel) {
                 std::complex<double> own = 0.0;
-                for (std::size_t j = 0; j < 4; ++j) own += force[line][wheel * 4 + j] * source.share[j] * delay_phase(wheels, j, f, speed);
-                power[wheel] += density * std::norm(own) * kSquareStep_hz;
+                for (std::size_t j = 0; j < 4; ++j) own += force[line][wheel * 4 + j] * e[j];
+                power[wheel] += std::norm(own) * kSquareStep_hz;
             }
         }
     return std::sqrt(*std::max_element(power.begin(), power.end())) / wheel_load_n(parameters);

@@ -15,13 +15,14 @@ namespace railpem::pem {
 
 namespace {
 
-/// A source met by the wheels one after the other: spectrum(f) in m²/Hz with the delays d_j/v.
-Source delayed_source(std::string name, std::vector<double> wheels_m, double speed, std::function<double(double)> spectrum) {
+/// A source as it is met by the wheels.
+Source source_of(DelayedSpectrum spectrum, std::vector<double> wheels_m, double speed) {
+    std::string name = spectrum.name;
     const auto amplitude = [wheels = std::move(wheels_m), speed, spectrum = std::move(spectrum)](const LineGroup& group) {
         WheelVector e;
         for (int lane = 0; lane < lanes::width; ++lane) {
-            const double root = std::sqrt(spectrum(group.omega[lane] / kTwoPi));
-            for (std::size_t j = 0; j < e.size(); ++j) e[j].set(lane, root * delay_phase(wheels, j, group.omega[lane] / kTwoPi, speed));
+            const std::array<std::complex<double>, 4> own = met(spectrum, wheels, speed, group.omega[lane] / kTwoPi);
+            for (std::size_t j = 0; j < e.size(); ++j) e[j].set(lane, own[j]);
         }
         return e;
     };
@@ -122,8 +123,16 @@ std::complex<double> delay_phase(const std::vector<double>& wheels_m, std::size_
     return std::polar(1.0, -kTwoPi * frequency_hz * (wheels_m[0] - wheels_m[wheel]) / speed_m_per_s);
 }
 
+std::array<std::complex<double>, 4> met(const DelayedSpectrum& source, const std::vector<double>& wheels_m, double speed, double frequency) {
+    if (source.under_wheels) return source.under_wheels(frequency);
+    std::array<std::complex<double>, 4> own;
+    const double root = std::sqrt(source.psd_m2_per_hz(frequency));
+    for (std::size_t j = 0; j < 4; ++j) own[j] = root * source.share[j] * delay_phase(wheels_m, j, frequency, speed);
+    return own;
+}
+
 TrackExcitation track_excitation(const CaseParameters& parameters, const std::vector<double>& wheels_m, double speed_m_per_s, const CoupledModel* model) {
-    TrackExcitation track{.deflection = passing_lines(parameters, wheels_m, speed_m_per_s), .passing = {}, .failed = failed_fastener_spectrum(parameters, wheels_m, speed_m_per_s),
+    TrackExcitation track{.deflection = passing_lines(parameters, wheels_m, speed_m_per_s), .passing = {}, .failed = failed_fastener_amplitudes(parameters, wheels_m, speed_m_per_s),
                           .wheel_load_n = wheel_load_n(parameters), .amplitude_factor = parameters.sleeper_passing.amplitude_factor};
     track.passing = track.deflection;
     if (model && parameters.track.failed_fasteners.empty()) feed_back(parameters, *model, speed_m_per_s, track.passing);
@@ -150,7 +159,11 @@ TrackExcitation rescaled(const TrackExcitation& known, const CaseParameters& par
         for (auto* lines : {&own.passing, &own.deflection})
             for (auto& amplitude : (*lines)[i].amplitude_m) amplitude *= scale;
     }
-    if (known.failed) own.failed = [spectrum = known.failed, load](double f) { return load * load * spectrum(f); };
+    if (known.failed) own.failed = [amplitudes = known.failed, load](double f) {
+        std::array<std::complex<double>, 4> own_amplitudes = amplitudes(f);
+        for (std::complex<double>& amplitude : own_amplitudes) amplitude *= load;
+        return own_amplitudes;
+    };
     return own;
 }
 
@@ -160,7 +173,7 @@ Excitation excitation(const CaseParameters& parameters, const std::vector<double
     TrackExcitation track = usable ? rescaled(*known, parameters) : track_excitation(parameters, wheels_m, speed_m_per_s, model);
     Excitation all;
     all.broadband.push_back(irregularity_spectrum(parameters, speed_m_per_s));
-    if (track.failed) all.broadband.push_back({"failed_fasteners", std::move(track.failed)});
+    if (track.failed) all.broadband.push_back({.name = "failed_fasteners", .psd_m2_per_hz = [failed = track.failed](double f) { return std::norm(failed(f)[0]); }, .under_wheels = track.failed});
     for (const spectra::RailJoints& joints : parameters.irregularity.joints)
         all.lines.push_back({"joints", joint_lines(parameters, joints, wheels_m, speed_m_per_s)});
     add_wheel_lines(parameters, speed_m_per_s, all.lines);
@@ -171,7 +184,7 @@ Excitation excitation(const CaseParameters& parameters, const std::vector<double
 std::vector<Source> excitation_sources(const CaseParameters& parameters, const std::vector<double>& wheels_m, double speed_m_per_s, const CoupledModel* model) {
     Excitation all = excitation(parameters, wheels_m, speed_m_per_s, nullptr, model);
     std::vector<Source> sources;
-    for (DelayedSpectrum& spectrum : all.broadband) sources.push_back(delayed_source(spectrum.name, wheels_m, speed_m_per_s, std::move(spectrum.psd_m2_per_hz)));
+    for (DelayedSpectrum& spectrum : all.broadband) sources.push_back(source_of(std::move(spectrum), wheels_m, speed_m_per_s));
     for (LineSet& set : all.lines) sources.push_back(line_source(set.name, std::move(set.lines), parameters.running.speed_fluctuation));
     return sources;
 }

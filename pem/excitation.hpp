@@ -35,7 +35,12 @@ struct DelayedSpectrum {
     std::string name;
     std::function<double(double frequency_hz)> psd_m2_per_hz;
     std::array<double, 4> share{1.0, 1.0, 1.0, 1.0};  ///< of its amplitude under each wheel
+    /// Where wheels do not meet the same: the amplitude under each, m/√Hz, delays included; the two above are then those of wheel 1.
+    std::function<std::array<std::complex<double>, 4>(double frequency_hz)> under_wheels = nullptr;
 };
+
+/// What the wheels meet of it at a frequency, delays included, m/√Hz.
+std::array<std::complex<double>, 4> met(const DelayedSpectrum& source, const std::vector<double>& wheels_m, double speed_m_per_s, double frequency_hz);
 
 /// A source made of lines, coherent among the wheels.
 struct LineSet {
@@ -57,7 +62,7 @@ struct Excitation {
 struct TrackExcitation {
     std::vector<SpectralLine> deflection;          ///< passing_lines()
     std::vector<SpectralLine> passing;             ///< those with what their own forces do
-    std::function<double(double)> failed;          ///< failed_fastener_spectrum()
+    std::function<std::array<std::complex<double>, 4>(double)> failed;  ///< failed_fastener_amplitudes()
     double wheel_load_n = 0.0;                     ///< under which they were computed
     double amplitude_factor = 0.0;                 ///< sleeper_passing.amplitude_factor of then
 };

@@ -147,44 +147,42 @@ std::vector<SpectralLine> passing_lines(const CaseParameters& parameters, const 
     return lines;
 }
 
-std::function<double(double)> failed_fastener_spectrum(const CaseParameters& parameters,
-                                                       const std::vector<double>& wheels_m, double speed) {
+std::function<std::array<std::complex<double>, 4>(double)> failed_fastener_amplitudes(const CaseParameters& parameters, const std::vector<double>& wheels_m, double speed) {
     if (parameters.track.failed_fasteners.empty() || parameters.track.failed_fasteners.front().fraction == 0.0)
         return nullptr;
-    const double share = parameters.track.failed_fasteners.front().fraction;
-    const double spacing = parameters.track.spacing_m;
+    const double share = parameters.track.failed_fasteners.front().fraction, spacing = parameters.track.spacing_m;
     CaseParameters one = parameters, intact = parameters;
     one.track.failed_fasteners.front().every = 1 << 30;  // one seat only
     intact.track.failed_fasteners.clear();
     constexpr int kFine = 4;  // positions per bay
     const std::vector<double> bay_shares{0.0, 0.25, 0.5, 0.75};
-    std::vector<int> first_seats;  // the failed one, from far ahead of wheel 1 to far behind it
-    for (int bay = -kPulseReach; bay <= kPulseReach; ++bay) first_seats.push_back(-bay);
+    const int last = kPulseReach + static_cast<int>(std::ceil((wheels_m.front() - wheels_m.back()) / spacing));
+    std::vector<int> first_seats;  // the failed one, from far ahead of wheel 1 to far behind the last
+    for (int bay = -kPulseReach; bay <= last; ++bay) first_seats.push_back(-bay);
     const lanes::Real quasi_static = lanes::broadcast(kTwoPi * parameters.track.pads.reference_frequency_hz);
     const PassingPositions failing(one, wheels_m, bay_shares, first_seats), sound(intact, wheels_m, bay_shares, {0});
     const std::vector<lanes::Complex> with = failing.deflection(quasi_static), without = sound.deflection(quasi_static);
 
-    std::vector<double> pulse;  // from far behind to far ahead
-    for (int k = 0; k <= 2 * kPulseReach * kFine; ++k) {
+    std::vector<std::array<double, 4>> pulse;
+    for (int k = 0; k <= (last + kPulseReach) * kFine; ++k) {
         const std::size_t quarter = static_cast<std::size_t>(k % kFine), bay = static_cast<std::size_t>(k / kFine);
-        const std::size_t wheels = wheels_m.size();
-        const double change = with[failing.place(quarter, bay) * wheels].re[0] - without[sound.place(quarter, 0) * wheels].re[0];
-        pulse.push_back(-wheel_load_n(parameters) * change);
+        pulse.emplace_back();
+        for (std::size_t wheel = 0; wheel < 4; ++wheel)
+            pulse.back()[wheel] = -wheel_load_n(parameters) * (with[failing.place(quarter, bay) * 4 + wheel].re[0] - without[sound.place(quarter, 0) * 4 + wheel].re[0]);
     }
     return [=](double frequency) {
-        const double wavenumber = kTwoPi * frequency / speed;
+        std::array<std::complex<double>, 4> sum{};
+        const double wavenumber = kTwoPi * frequency / speed, step = spacing / kFine;  // where the pulse begins turns all phases alike
         // The rail's bending leaves nothing of the pulse above the samples' Nyquist wavenumber (it falls with its
         // fourth power); the sum over samples would repeat the long waves there.
-        if (wavenumber * spacing / kFine > std::numbers::pi) return 0.0;
-        const double step = spacing / kFine;  // where the pulse begins turns the phase of its transform only
-        const double re = std::cos(wavenumber * step), im = -std::sin(wavenumber * step);
-        double sum_re = 0.0, sum_im = 0.0;
-        for (std::size_t i = pulse.size(); i-- > 0;) {
-            const double turned = sum_re * re - sum_im * im + pulse[i];
-            sum_im = sum_re * im + sum_im * re;
-            sum_re = turned;
+        if (wavenumber * step > std::numbers::pi) return sum;
+        const std::complex<double> turn = std::polar(1.0, -wavenumber * step);
+        std::complex<double> turned = std::sqrt(2.0 * share * (1.0 - share) / spacing / speed) * step;
+        for (const std::array<double, 4>& own : pulse) {
+            for (std::size_t wheel = 0; wheel < 4; ++wheel) sum[wheel] += own[wheel] * turned;
+            turned *= turn;
         }
-        return 2.0 * share * (1.0 - share) / spacing * (sum_re * sum_re + sum_im * sum_im) * step * step / speed;
+        return sum;
     };
 }
 

@@ -16,9 +16,9 @@ namespace railpem::pem {
 /// lines of the intact bays; lines that only the failed fasteners cause are always in. Empty when there is nothing to feel.
 std::vector<SpectralLine> passing_lines(const CaseParameters& parameters, const std::vector<double>& wheels_m, double speed_m_per_s);
 
-/// Random failed fasteners: each changes the deflection of the passing wheels by a pulse c(x), and N = share/spacing of them per
-/// metre, independently placed, are shot noise: S(κ) = 2·p(1 − p)/spacing·|∫ c(x) e^{−iκx} dx|² one-sided in cycles/m, in time
-/// S/v. The pulse is −P0·(C with one seat failed − C intact) on the otherwise uniform track. Null without random failures.
-std::function<double(double)> failed_fastener_spectrum(const CaseParameters& parameters, const std::vector<double>& wheels_m, double speed_m_per_s);
+/// Random failed fasteners: each changes the deflection under every wheel by a pulse c_i(x), and N = share/spacing of them per metre, independently placed, are shot noise:
+/// √(2·p(1 − p)/spacing/v)·∫ c_i(x) e^{−iκx} dx under wheel i, κ = 2πf/v, one-sided, m/√Hz, delays included. The pulse is −P0·(C with one seat failed − C intact) on the otherwise uniform track: a seat that fails under one wheel
+/// is felt by its neighbour, ahead of it or behind. Null without random failures.
+std::function<std::array<std::complex<double>, 4>(double)> failed_fastener_amplitudes(const CaseParameters& parameters, const std::vector<double>& wheels_m, double speed_m_per_s);
 
 }  // namespace railpem::pem

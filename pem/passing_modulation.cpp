@@ -13,6 +13,8 @@ namespace {
 
 using Phasor = std::complex<double>;
 
+constexpr double kRandomStep_m = 6.0, kLeastRandom = 0.05;  ///< shifts by v over that; seats that failed show over some two metres
+constexpr int kMostRandom = 16;
 constexpr int kOrdersUnled = 2;  ///< of the modulation, where no lines say which count
 
 double strength(const std::array<Phasor, 4>& under_wheels) {
@@ -140,6 +142,23 @@ std::vector<Modulation> modulations(const CaseParameters& parameters, const Trac
         else add_both_sides({.shift_hz = shift_hz, .bays = bays, .under_wheel = stiffens ? over_linear(transfers, bays, own) : kAsItIs}, orders);
     }
     for (int bays = 1; compliance.empty() && bays <= kOrdersUnled; ++bays) add_both_sides({.shift_hz = bays * transfers.bay_hz, .bays = bays, .under_wheel = kAsItIs}, orders);
+    return orders;
+}
+
+std::vector<Modulation> random_modulations(const TrackExcitation& track, const ModulationTransfers& transfers, double speed) {
+    if (!track.failed) return {};
+    const double step = speed / kRandomStep_m;
+    std::vector<Modulation> orders;
+    double strongest = 0.0;
+    for (int k = 0; k < kMostRandom; ++k) {
+        const double shift = (k + 0.5) * step;
+        std::array<Phasor, 4> under_wheel = track.failed(shift);
+        const double size = strength(under_wheel);
+        strongest = std::max(strongest, size);
+        if (size < kLeastRandom * strongest) break;
+        for (Phasor& own : under_wheel) own *= std::sqrt(0.5 * step) / track.wheel_load_n;  // one-sided: half of the power on either side
+        add_both_sides(of_differing_seats(transfers, shift, under_wheel), orders);
+    }
     return orders;
 }
 

@@ -45,6 +45,10 @@ struct Modulation {
 /// the case does not count: it is the lines' alone.
 std::vector<Modulation> modulations(const CaseParameters& parameters, const TrackExcitation& track, const ModulationTransfers& transfers, double least);
 
+/// What seats that failed at random make of the forces, to first order: the deflection r(t) that the standing load leaves there (failed_fastener_amplitudes()) is P0·γ(t), and γ(t)·F(t) is felt, by shifts of any size. Shifts
+/// (k + ½)·v/6 m stand for all of them, both sides; that the wheels meet the same seats one after the other is in the phases.
+std::vector<Modulation> random_modulations(const TrackExcitation& track, const ModulationTransfers& transfers, double speed_m_per_s);
+
 /// Irregularity that forces under the wheels at `from_hz` are felt as at from_hz + shift.
 std::array<std::complex<double>, 4> felt(const Modulation& modulation, const ModulationTransfers& transfers, const std::array<std::complex<double>, 4>& force_n, double from_hz);
 

@@ -4,6 +4,7 @@
 #include <numbers>
 #include <utility>
 
+#include "track/mean_seats.hpp"
 #include "track/moving_equilibrium.hpp"
 #include "track/rolling_receptance.hpp"
 
@@ -109,14 +110,16 @@ struct Places {
         : per_bay(track.rail.beam == track::Beam::timoshenko ? 4 : 3), first_bay(per_bay == 4 ? offset_between_kinks(wheels_m, track.spacing_m, per_bay) : 0.0) {}
 };
 
-/// The track with its mean pads where some fail at random.
-track::TrackParameters mean_track(track::TrackParameters track) {
-    for (track::FailedFasteners& failed : track.failed_fasteners) {
-        const double mean = 1.0 - failed.fraction * (1.0 - failed.remaining_stiffness_fraction);
-        track.pads.dynamic_to_static_ratio *= mean;
-        track.pads.damping_n_s_per_m *= mean;
-        failed.fraction = 0.0;
-    }
+/// The track on the pads that stand for all where some fail at random.
+track::TrackParameters mean_track(const CaseParameters& parameters) {
+    track::TrackParameters track = parameters.track;
+    const lanes::FactorCurve factor = track::mean_of_failed(track, dynamic_equilibrium(parameters).unloaded_dynamic_stiffness_n_per_m);
+    if (factor.empty()) return track;
+    lanes::FactorCurve& correction = track.pads.correction;
+    const lanes::FactorCurve known = correction;
+    correction = factor;
+    for (std::size_t i = 0; i < correction.value.size(); ++i) correction.value[i] *= known.at(2.0 * std::numbers::pi * correction.frequency_hz[i]);
+    for (track::FailedFasteners& failed : track.failed_fasteners) failed.fraction = 0.0;
     return track;
 }
 
@@ -160,7 +163,7 @@ std::unique_ptr<RailModel> on_equal_seats(const Places& places, const track::Tra
 
 std::unique_ptr<RailModel> rolling_rail(const CaseParameters& parameters, const std::vector<double>& wheels_m, double speed_m_per_s) {
     CaseParameters mean = parameters;
-    mean.track = mean_track(parameters.track);
+    mean.track = mean_track(parameters);
     const Places places(mean.track, wheels_m);
     if (mean.track.pads.preload_strength == 0.0 && failure_period(mean.track) == 1) {
         const double sound = dynamic_equilibrium(mean).unloaded_dynamic_stiffness_n_per_m;

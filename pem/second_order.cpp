@@ -22,15 +22,15 @@ std::array<std::vector<Phasor>, kPairs> spectra_of_pairs(const SquareTransfers& 
         std::array<Phasor, 4> delay;
         for (std::size_t j = 0; j < 4; ++j) delay[j] = delay_phase(wheels_m, j, f, speed);
         for (const DelayedSpectrum& source : broadband) {
+            const std::array<Phasor, 4> e = met(source, wheels_m, speed, f);
             std::array<Phasor, 4> y{};
             for (std::size_t wheel = 0; wheel < 4; ++wheel) {
-                for (std::size_t j = 0; j < 4; ++j) y[wheel] += transfers[line][wheel * 4 + j] * source.share[j] * delay[j];
+                for (std::size_t j = 0; j < 4; ++j) y[wheel] += transfers[line][wheel * 4 + j] * e[j];
                 y[wheel] *= std::conj(delay[wheel]);
             }
-            const double power = 0.5 * source.psd_m2_per_hz(f);
             std::size_t pair = 0;
             for (std::size_t i = 0; i < 4; ++i)
-                for (std::size_t j = i; j < 4; ++j) pairs[pair++][line + 1] += power * y[i] * std::conj(y[j]);
+                for (std::size_t j = i; j < 4; ++j) pairs[pair++][line + 1] += 0.5 * y[i] * std::conj(y[j]);
         }
     }
     return pairs;
