@@ -17,28 +17,28 @@ using lanes::Complex;
 using lanes::Real;
 using Phasor = std::complex<double>;
 
-constexpr int kAliases = 4;             ///< terms of Σ_n beyond the highest order, on each side; what is left falls with n⁻⁴, and of a rail that shears with n⁻²
+constexpr int kAliasesBeyond = 4;             ///< terms of Σ_n beyond the highest order, on each side; what is left falls with n⁻⁴, and of a rail that shears with n⁻²
 constexpr double kLogImages = 11.5;     ///< −log 1e-5
-constexpr double kReach = 6.0;          ///< in wavenumbers of the rail on its supports, beyond the highest order; p_m falls with its eighth power
+constexpr double kWaveReach = 6.0;          ///< in wavenumbers of the rail on its supports, beyond the highest order; p_m falls with its eighth power
 constexpr double kBreakFelt = 4.0, kBreakAmongWaves = 1.5;  ///< in the same
 constexpr double kRefined = 6.0, kMostRefined = 24.0;
 constexpr double kMostPoints = 20000.0;
 constexpr double kLeast_rad_per_s = 1e-6;
 
-struct Grid {
+struct WaveGrid {
     double step;
     int groups;    ///< of lanes::width points, from the middle to either side
     double shift;  ///< of the middle: ω' = 0, where losses turn their sign, lies half-way between two points
     double half() const { return groups * lanes::width * step; }
 };
 
-Grid wavenumber_grid(const TrackParameters& track, double pad_stiffness, double omega, double farthest, double speed, int highest) {
+WaveGrid wavenumber_grid(const TrackParameters& track, double pad_stiffness, double omega, double farthest, double speed, int highest) {
     const Phasor seat = SupportLaw(track.pads, track.support, lanes::broadcast(omega)).stiffness(pad_stiffness)[0];
     const BeamCoefficients beam = beam_coefficients(track.rail, track.rail_dampers, lanes::broadcast(omega));
     const Phasor fourth = (beam.inertia[0] - seat / track.spacing_m) / beam.bending[0], root = std::pow(fourth, 0.25);  // and root·iⁿ
     const double foundation = std::pow(std::abs(seat) / track.spacing_m / std::abs(beam.bending[0]), 0.25);
     const double decay = std::max(1e-3, std::min(std::abs(root.real()), std::abs(root.imag())));
-    const double half = kReach * std::max(std::abs(root), foundation) + highest * 2.0 * std::numbers::pi / track.spacing_m;
+    const double half = kWaveReach * std::max(std::abs(root), foundation) + highest * 2.0 * std::numbers::pi / track.spacing_m;
     // What losses that turn their sign at ω' = 0 make of the rail does not decay exponentially: the rule is as good there as its step is short.
     const double place = omega / speed / foundation, refined = place < kBreakAmongWaves ? kMostRefined : place < kBreakFelt ? kRefined : 1.0;
     const double step = std::max(2.0 * std::numbers::pi / (farthest + kLogImages / decay) / refined, 2.0 * half / kMostPoints);
@@ -57,7 +57,7 @@ struct Seats {
         : beam(beam_coefficients(track.rail, track.rail_dampers, omega)), seat(SupportLaw(track.pads, track.support, omega).stiffness(pad_stiffness)) {
         const double bay = 2.0 * std::numbers::pi / track.spacing_m;
         Complex others;
-        const int last = highest + kAliases;
+        const int last = highest + kAliasesBeyond;
         for (int n = 1; n <= last; ++n)
             for (const int side : {-n, n}) {
                 const Complex own = lanes::reciprocal(beam_stiffness(beam, k + side * bay));
@@ -94,7 +94,7 @@ Phasor free_rail_beyond(const BeamCoefficients& beam, double k, double x) {
 }
 
 /// What the grid leaves out of order 0. From ω' = 0 on the rail's constant loss has the other sign.
-Phasor beyond_reach(const TrackParameters& track, const Grid& grid, double omega, double speed, double x) {
+Phasor beyond_reach(const TrackParameters& track, const WaveGrid& grid, double omega, double speed, double x) {
     const BeamCoefficients beam = beam_coefficients(track.rail, track.rail_dampers, lanes::broadcast(omega));
     BeamCoefficients turned = beam;
     turned.bending.im = -beam.bending.im, turned.shear_compliance.im = -beam.shear_compliance.im;
@@ -125,7 +125,7 @@ struct Distances {
 RollingReceptance rolling_receptance(const TrackParameters& track, double pad_stiffness_n_per_m, const std::vector<double>& wheels_m, double speed_m_per_s, double frequency_hz, int highest) {
     const double omega = 2.0 * std::numbers::pi * frequency_hz;
     const Distances distances(wheels_m);
-    const Grid grid = wavenumber_grid(track, pad_stiffness_n_per_m, omega, distances.farthest(), speed_m_per_s, highest);
+    const WaveGrid grid = wavenumber_grid(track, pad_stiffness_n_per_m, omega, distances.farthest(), speed_m_per_s, highest);
     const std::size_t orders = static_cast<std::size_t>(2 * highest + 1), count = distances.each.size();
     std::vector<Complex> p(orders), sums(orders * count);
     for (int group = -grid.groups; group < grid.groups; ++group) {
