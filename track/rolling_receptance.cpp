@@ -22,7 +22,7 @@ constexpr double kLogImages = 11.5;     ///< −log 1e-5
 constexpr double kWaveReach = 6.0;          ///< in wavenumbers of the rail on its supports, beyond the highest order; p_m falls with its eighth power
 constexpr double kBreakFelt = 4.0, kBreakAmongWaves = 1.5;  ///< in the same
 constexpr double kRefined = 6.0, kMostRefined = 24.0;
-constexpr double kMostPoints = 20000.0;
+constexpr double kMostWaves = 20000.0;
 constexpr double kLeast_rad_per_s = 1e-6;
 
 struct WaveGrid {
@@ -41,7 +41,7 @@ WaveGrid wavenumber_grid(const TrackParameters& track, double pad_stiffness, dou
     const double half = kWaveReach * std::max(std::abs(root), foundation) + highest * 2.0 * std::numbers::pi / track.spacing_m;
     // What losses that turn their sign at ω' = 0 make of the rail does not decay exponentially: the rule is as good there as its step is short.
     const double place = omega / speed / foundation, refined = place < kBreakAmongWaves ? kMostRefined : place < kBreakFelt ? kRefined : 1.0;
-    const double step = std::max(2.0 * std::numbers::pi / (farthest + kLogImages / decay) / refined, 2.0 * half / kMostPoints);
+    const double step = std::max(2.0 * std::numbers::pi / (farthest + kLogImages / decay) / refined, 2.0 * half / kMostWaves);
     return {step, static_cast<int>(std::ceil(half / step / lanes::width)), std::remainder(omega / speed, step)};
 }
 
