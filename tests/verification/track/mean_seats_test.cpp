@@ -16,7 +16,7 @@ namespace {
 using namespace railpem;
 using Complex = std::complex<double>;
 
-constexpr double kShare = 0.05, kLeft = 0.2, kPad = 1.4 * 37.38e6;
+constexpr double kShare = 0.05, kLeft = 0.2, kSoundPad = 1.4 * 37.38e6;
 constexpr int kSeats = 61;
 
 track::TrackParameters failed_track(double loss) {
@@ -34,8 +34,8 @@ Complex drawn(const track::TrackParameters& track, double frequency, int draws) 
         own.failed_fasteners.front().seed = draw + 1;
         track::StaticEquilibrium equilibrium;
         for (int seat = -kSeats / 2; seat <= kSeats / 2; ++seat) equilibrium.position_m.push_back(seat * own.spacing_m);
-        equilibrium.dynamic_stiffness_n_per_m.assign(equilibrium.position_m.size(), kPad);
-        equilibrium.unloaded_dynamic_stiffness_n_per_m = kPad;
+        equilibrium.dynamic_stiffness_n_per_m.assign(equilibrium.position_m.size(), kSoundPad);
+        equilibrium.unloaded_dynamic_stiffness_n_per_m = kSoundPad;
         const track::ExactRail rail = track::exact_rail(own, {0.5 * own.spacing_m}, equilibrium);
         track::ExactRailWorkspace workspace(rail);
         sum += track::rail_receptance(rail, lanes::broadcast(2.0 * std::numbers::pi * frequency), workspace).at(0, 0)[0] / double(draws);
@@ -47,7 +47,7 @@ Complex equal(track::TrackParameters track, double frequency, const lanes::Facto
     track.failed_fasteners.clear();
     track.pads.correction = factor;
     track.pads.damping_n_s_per_m *= ratio;
-    const track::ExactRail rail = track::uniform_rail(track, {0.5 * track.spacing_m}, kPad * ratio);
+    const track::ExactRail rail = track::uniform_rail(track, {0.5 * track.spacing_m}, kSoundPad * ratio);
     track::ExactRailWorkspace workspace(rail);
     return track::rail_receptance(rail, lanes::broadcast(2.0 * std::numbers::pi * frequency), workspace).at(0, 0)[0];
 }
@@ -60,7 +60,7 @@ TEST(MeanSeats, AgainstDraws) {
     const double mean = 1.0 - kShare * (1.0 - kLeft);
     for (const double loss : {0.0, 0.25}) {
         const track::TrackParameters track = failed_track(loss);
-        const lanes::FactorCurve factor = track::mean_of_failed(track, kPad);
+        const lanes::FactorCurve factor = track::mean_of_failed(track, kSoundPad);
         for (const double f : {40.0, 100.0, 160.0}) {
             const Complex seen = drawn(track, f, 4000);
             const double own = std::abs(equal(track, f, factor, 1.0) / seen - 1.0), of_mean_stiffness = std::abs(equal(track, f, {}, mean) / seen - 1.0);
