@@ -21,7 +21,7 @@ constexpr int kAliasesBeyond = 4;             ///< terms of Σ_n beyond the high
 constexpr double kLogImages = 11.5;     ///< −log 1e-5
 constexpr double kWaveReach = 6.0;          ///< in wavenumbers of the rail on its supports, beyond the highest order; p_m falls with its eighth power
 constexpr double kBreakFelt = 4.0, kBreakAmongWaves = 1.5;  ///< in the same
-constexpr double kRefined = 6.0, kMostRefined = 24.0;
+constexpr double kRefined = 4.0, kMostRefined = 10.0;
 constexpr double kMostWaves = 20000.0;
 constexpr double kLeast_rad_per_s = 1e-6;
 
