@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "pem/angular_frequency.hpp"
+#include "pem/lagrange.hpp"
 #include "track/pad_law.hpp"
 
 namespace railpem::pem {
@@ -15,7 +16,6 @@ using Phasor = std::complex<double>;
 constexpr double kRest_hz = 0.01;
 constexpr double kOrdinaryLoss = 0.4, kFinest = 0.125;
 constexpr double kResonance_hz = 150.0;  ///< about where the rail resonates on pads that let it
-constexpr int kTablePoints = 6;
 
 double table_step(const EqualSeats& seats) {
     const Phasor pad = seats.pad_stiffness_n_per_m * track::pad_shape(seats.track.pads, kResonance_hz) + Phasor(0.0, kTwoPi * kResonance_hz * track::pad_damping(seats.track.pads));
@@ -29,7 +29,7 @@ RollingTable rolling_table(const CoupledModel& model, double speed, double to_hz
     const EqualSeats* seats = model.rail->equal_seats();
     if (!seats) return table;
     table.step_hz = table_step(*seats);
-    const auto lines = std::max<std::size_t>(kTablePoints, static_cast<std::size_t>(to_hz / table.step_hz) + 4);
+    const auto lines = std::max<std::size_t>(kLagrangePoints, static_cast<std::size_t>(to_hz / table.step_hz) + 4);
     for (std::size_t line = 0; line < lines; ++line)
         table.at.push_back(track::rolling_receptance(seats->track, seats->pad_stiffness_n_per_m, model.wheels_m, speed, std::max(kRest_hz, static_cast<double>(line) * table.step_hz),
                                                      seats->track.rail.beam == track::Beam::timoshenko ? 3 : 2));
@@ -39,15 +39,14 @@ RollingTable rolling_table(const CoupledModel& model, double speed, double to_hz
 std::array<Phasor, 16> rolling_at(const RollingTable& table, int order, double frequency) {
     const double place = std::abs(frequency) / table.step_hz;
     // Below zero the other side's conjugate: the window stays in the middle.
-    const long base = std::min(static_cast<long>(place) - kTablePoints / 2 + 1, static_cast<long>(table.at.size()) - kTablePoints);
-    const double t = std::min(place - static_cast<double>(base), kTablePoints - 1.0);
+    const long base = std::min(static_cast<long>(place) - kLagrangePoints / 2 + 1, static_cast<long>(table.at.size()) - kLagrangePoints);
+    const double t = std::min(place - static_cast<double>(base), kLagrangePoints - 1.0);
     const int own_order = frequency < 0.0 ? -order : order;
     if (std::abs(order) > table.at.front().highest) return {};
     std::array<Phasor, 16> result{};
-    for (int k = 0; k < kTablePoints; ++k) {
-        double weight = 1.0;
-        for (int j = 0; j < kTablePoints; ++j)
-            if (j != k) weight *= (t - j) / (k - j);
+    const std::array<double, kLagrangePoints> weights = lagrange(t);
+    for (int k = 0; k < kLagrangePoints; ++k) {
+        const double weight = weights[static_cast<std::size_t>(k)];
         const long line = base + k;
         const Phasor* values = &table.at[static_cast<std::size_t>(std::abs(line))].at(line < 0 ? -own_order : own_order, 0, 0);
         for (std::size_t pair = 0; pair < 16; ++pair) result[pair] += weight * (line < 0 ? std::conj(values[pair]) : values[pair]);

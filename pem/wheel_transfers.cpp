@@ -7,6 +7,7 @@
 #include <numbers>
 #include <optional>
 
+#include "pem/lagrange.hpp"
 #include "pem/solution.hpp"
 #include "pem/threads.hpp"
 
@@ -36,20 +37,6 @@ std::vector<RailGroup> solved_rails(const CoupledModel& model, double from_hz, d
     return rails;
 }
 
-constexpr int kPoints = 6;  ///< of the interpolation of the rail
-
-/// Lagrange weights at `place` among the points 0 … 5.
-std::array<double, kPoints> lagrange(double place) {
-    std::array<double, kPoints> weight;
-    for (int i = 0; i < kPoints; ++i) {
-        double product = 1.0;
-        for (int j = 0; j < kPoints; ++j)
-            if (j != i) product *= (place - j) / (i - j);
-        weight[static_cast<std::size_t>(i)] = product;
-    }
-    return weight;
-}
-
 /// Adds weight × line `from` of the coarse rails to lane `lane` of a group.
 void add_line(const std::vector<RailGroup>& coarse, std::size_t from, double weight, int lane, RailGroup& group) {
     const RailGroup& source = coarse[from / lanes::width];
@@ -64,14 +51,14 @@ void add_line(const std::vector<RailGroup>& coarse, std::size_t from, double wei
 
 std::vector<RailGroup> rail_groups(const CoupledModel& model, double from_hz, double step_hz, std::size_t lines, int every, int threads) {
     const std::size_t coarse_lines = (lines + static_cast<std::size_t>(every) - 2) / static_cast<std::size_t>(every) + 1;
-    if (every <= 1 || coarse_lines < kPoints) return solved_rails(model, from_hz, step_hz, lines, threads);
+    if (every <= 1 || coarse_lines < kLagrangePoints) return solved_rails(model, from_hz, step_hz, lines, threads);
     const std::vector<RailGroup> coarse = solved_rails(model, from_hz, every * step_hz, coarse_lines, threads);
     std::vector<RailGroup> rails((lines + lanes::width - 1) / lanes::width);
     for (std::size_t line = 0; line < rails.size() * lanes::width; ++line) {
         const double place = static_cast<double>(std::min(line, lines - 1)) / every;
-        const long base = std::clamp(static_cast<long>(place) - kPoints / 2 + 1, 0L, static_cast<long>(coarse_lines) - kPoints);
-        const std::array<double, kPoints> weight = lagrange(place - static_cast<double>(base));
-        for (int i = 0; i < kPoints; ++i)
+        const long base = std::clamp(static_cast<long>(place) - kLagrangePoints / 2 + 1, 0L, static_cast<long>(coarse_lines) - kLagrangePoints);
+        const std::array<double, kLagrangePoints> weight = lagrange(place - static_cast<double>(base));
+        for (int i = 0; i < kLagrangePoints; ++i)
             add_line(coarse, static_cast<std::size_t>(base + i), weight[static_cast<std::size_t>(i)], static_cast<int>(line % lanes::width), rails[line / lanes::width]);
     }
     for (std::size_t group = 0; group < rails.size(); ++group) rails[group].omega = omega_of(from_hz, step_hz, group * lanes::width, lines);
