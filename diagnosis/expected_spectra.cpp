@@ -27,7 +27,7 @@ namespace {
 using Complex = std::complex<double>;
 
 constexpr double kLeastOrder = 0.1;  ///< of the strongest order of the modulation: 20 dB below what is itself 30 dB below the irregularity
-constexpr double kSamePlace = 0.25;  ///< m: a sensor on the body counts as over the pivot or at the centre within this
+constexpr double kOverThePivot_m = 0.25;  ///< m: a sensor on the body counts as over the pivot or at the centre within this
 
 std::string response_of(const recordings::ChannelDescription& channel, const pem::CaseParameters& parameters) {
     using recordings::Location;
@@ -37,9 +37,9 @@ std::string response_of(const recordings::ChannelDescription& channel, const pem
         case Location::rail: return "rail_" + std::to_string(channel.index);
         case Location::body: {
             const double pivot = parameters.vehicle.bogie_distance_m / 2.0;
-            if (std::abs(channel.position_m) < kSamePlace) return "body";
-            if (std::abs(channel.position_m - pivot) < kSamePlace) return "body_front";
-            if (std::abs(channel.position_m + pivot) < kSamePlace) return "body_rear";
+            if (std::abs(channel.position_m) < kOverThePivot_m) return "body";
+            if (std::abs(channel.position_m - pivot) < kOverThePivot_m) return "body_front";
+            if (std::abs(channel.position_m + pivot) < kOverThePivot_m) return "body_rear";
             return {};
         }
         case Location::none: return {};

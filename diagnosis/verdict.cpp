@@ -61,12 +61,12 @@ bool is_trifling(const FittedSet& set) {
     return false;
 }
 
-constexpr double kLeastShare = 1e-4;  ///< of the nats that the others explain: what is left where an amplitude is a hundredth off
+constexpr double kLeastAddition = 1e-4;  ///< of the nats that the others explain: what is left where an amplitude is a hundredth off
 
 /// Nats that a further member has to bring beside `smaller`: more than what a law that is an approximation leaves for anything to imitate, and than what no law is exact enough to leave out.
 double least_addition(const FittedSet& smaller, double nothing, const VerdictThresholds& thresholds) {
     if (is_approximate(smaller)) return nats_left(smaller, nothing, thresholds.least_gain);
-    return std::max(thresholds.least_gain, kLeastShare * (smaller.score() - nothing));
+    return std::max(thresholds.least_gain, kLeastAddition * (smaller.score() - nothing));
 }
 
 bool says_as_much(const FittedSet& smaller, const FittedSet& larger, const NamingResult& naming, const VerdictThresholds& thresholds) {

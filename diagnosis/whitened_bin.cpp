@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kSteps = 4;             ///< of Newton's method for s; Fisher's information is nearly exact
 constexpr double kLongestNewtonStep = 1.0;
-constexpr double kNear = 1e-3;        ///< a step that is not worth making: ½·n·r·s² is below a thousandth of a nat
+constexpr double kNoStep = 1e-3;        ///< a step that is not worth making: ½·n·r·s² is below a thousandth of a nat
 constexpr double kLeastExcess = 1e-6;
 
 /// The parts of S(s), and what was measured.
@@ -111,7 +111,7 @@ void whiten(const Trial& trial, const Observation& observation, std::size_t inde
     for (int i = 0; i < kSteps; ++i) {
         const double slope = trace_of_product(best.scale, best.residual, parts.size) - stiffness * s;
         const double step = std::clamp(slope / (processes + stiffness), -kLongestNewtonStep, kLongestNewtonStep);
-        if (std::abs(step) < kNear) break;
+        if (std::abs(step) < kNoStep) break;
         whiten_at(parts, s + step, next);
         next.log_likelihood -= 0.5 * stiffness * (s + step) * (s + step);
         if (!(next.log_likelihood > best.log_likelihood)) break;

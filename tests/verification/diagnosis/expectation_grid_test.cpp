@@ -12,12 +12,12 @@
 namespace railpem::diagnosis {
 namespace {
 
-constexpr double kNoise = 0.02 * 0.02 / 500.0;  ///< (m/s²)²/Hz: of a good channel, 0.02 m/s² up to 500 Hz
+constexpr double kSensorNoise = 0.02 * 0.02 / 500.0;  ///< (m/s²)²/Hz: of a good channel, 0.02 m/s² up to 500 Hz
 
 /// What is left of a channel's power when all others are known, noise included.
 double own_power(const ExpectedSpectra& expected, std::size_t bin, long channel) {
     Eigen::MatrixXcd matrix = expected.matrix(bin);
-    matrix.diagonal().array() += kNoise;
+    matrix.diagonal().array() += kSensorNoise;
     return 1.0 / matrix.inverse()(channel, channel).real();
 }
 

@@ -11,13 +11,13 @@
 namespace railpem::diagnosis {
 namespace {
 
-constexpr double kSpeed = 80.0 / 3.6;
+constexpr double kScreenSpeed = 80.0 / 3.6;
 
 Synthesised nine(const ObservationOptions& options) {
     return synthesised(paper_believed({"vehicle.body_mass_kg", "vehicle.bogie_mass_kg", "vehicle.wheelset_mass_kg", "vehicle.primary.stiffness_n_per_m",
                                        "vehicle.primary.damping_n_s_per_m", "vehicle.secondary.stiffness_n_per_m", "vehicle.secondary.damping_n_s_per_m",
                                        "track.pads.static_stiffness_n_per_m", "track.pads.damping_n_s_per_m"}),
-                       {kSpeed}, 60.0, nine_channels(), options);
+                       {kScreenSpeed}, 60.0, nine_channels(), options);
 }
 
 struct Planted {
