@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <set>
 #include <type_traits>
 
@@ -24,6 +25,7 @@ auto* structure_curve(Case& parameters, const CorrectionPlace& place) {
     using Curve = std::conditional_t<std::is_const_v<Case>, const lanes::FactorCurve, lanes::FactorCurve>;
     Curve* none = nullptr;
     const std::size_t which = static_cast<std::size_t>(std::max(0, place.which - 1));
+    if (place.attached) return none;
     switch (place.element) {
         case Element::secondary: return &parameters.vehicle.secondary.correction;
         case Element::primary: return &parameters.vehicle.primary.correction;
@@ -40,6 +42,20 @@ auto* structure_curve(Case& parameters, const CorrectionPlace& place) {
     return none;
 }
 
+enum class Point { centre, front, rear };
+
+std::string point_name(Point point) { return point == Point::centre ? "centre" : point == Point::front ? "front" : "rear"; }
+
+template <class Car>
+auto& attachments_of(Car& car, const CorrectionPlace& place) {
+    return place.element == Element::body ? car.body_attachments : car.between_bogies;
+}
+
+lanes::FactorCurve& attached_curve(vehicle::VehicleParameters& car, const CorrectionPlace& place, Point point) {
+    vehicle::Attachments& own = attachments_of(car, place);
+    return point == Point::centre ? own.centre : point == Point::front ? own.front : own.rear;
+}
+
 lanes::FactorCurve& curve_of(pem::CaseParameters& parameters, const CorrectionPlace& place) {
     if (lanes::FactorCurve* structure = structure_curve(parameters, place)) return *structure;
     for (pem::SensorParameters& sensor : parameters.sensors)
@@ -54,24 +70,37 @@ std::string channel_name(std::size_t response) {
     return where.starts_with("wheel_") ? "axlebox_" + where.substr(6) : where;
 }
 
-Unknown structure_unknown(const CorrectionPlace& place, const std::vector<double>& nodes, std::size_t node, bool imaginary) {
-    const std::string where = !place.channel.empty() ? place.channel : element_name(place.element) + (place.which == 0 ? "" : fmt::format(" {}", place.which));
+/// A number of its own for one node of a curve. `nothing`: value of the curve without a correction.
+Unknown curve_unknown(const std::string& where, Element element, const std::vector<double>& nodes, std::size_t node, bool imaginary, double nothing,
+                      std::function<lanes::FactorCurve&(pem::CaseParameters&)> curve_in) {
     return {.kind = UnknownKind::correction,
             .name = fmt::format("correction of {} at {:.3g} Hz, {}", where, nodes[node], imaginary ? "imaginary" : "real"),
             .deviation = kDeviation,
-            .low = imaginary ? -5.0 : -0.95,
+            .low = imaginary || nothing == 0.0 ? -5.0 : -0.95,
             .high = 5.0,
             .step = kStep,
-            .element = place.element,
-            .set = [place, nodes, node, imaginary](Trial& trial, double x) {
-                lanes::FactorCurve& curve = curve_of(trial.numbers, place);
+            .element = element,
+            .set = [curve_in = std::move(curve_in), nodes, node, imaginary, nothing](Trial& trial, double x) {
+                lanes::FactorCurve& curve = curve_in(trial.numbers);
                 if (curve.empty()) {
                     curve.frequency_hz = nodes;
-                    curve.value.assign(nodes.size(), 1.0);
+                    curve.value.assign(nodes.size(), nothing);
                 }
                 const std::complex<double> own = curve.value[node];
-                curve.value[node] = imaginary ? std::complex<double>(own.real(), x) : std::complex<double>(1.0 + x, own.imag());
+                curve.value[node] = imaginary ? std::complex<double>(own.real(), x) : std::complex<double>(nothing + x, own.imag());
             }};
+}
+
+Unknown structure_unknown(const CorrectionPlace& place, const std::vector<double>& nodes, std::size_t node, bool imaginary) {
+    const std::string where = !place.channel.empty() ? place.channel : element_name(place.element) + (place.which == 0 ? "" : fmt::format(" {}", place.which));
+    return curve_unknown(where, place.element, nodes, node, imaginary, 1.0,
+                         [place](pem::CaseParameters& parameters) -> lanes::FactorCurve& { return curve_of(parameters, place); });
+}
+
+Unknown attached_unknown(const CorrectionPlace& place, Point point, const std::vector<double>& nodes, std::size_t node, bool imaginary) {
+    const std::string which = place.element == Element::body ? "body" : "bogies against each other";
+    return curve_unknown(fmt::format("{}, {}", which, point_name(point)), place.element, nodes, node, imaginary, 0.0,
+                         [place, point](pem::CaseParameters& parameters) -> lanes::FactorCurve& { return attached_curve(parameters.vehicle, place, point); });
 }
 
 Unknown spectrum_unknown(const std::vector<double>& nodes, std::size_t node) {
@@ -94,10 +123,16 @@ Unknown spectrum_unknown(const std::vector<double>& nodes, std::size_t node) {
 
 }  // namespace
 
-const lanes::FactorCurve& correction_at(const pem::CaseParameters& parameters, const CorrectionPlace& place) {
-    static const lanes::FactorCurve none;
-    const lanes::FactorCurve* own = structure_curve(parameters, place);
-    return own ? *own : none;
+std::complex<double> correction_at(const pem::CaseParameters& parameters, const CorrectionPlace& place, double omega) {
+    if (!place.attached) {
+        const lanes::FactorCurve* own = structure_curve(parameters, place);
+        return own ? own->at(omega) : 1.0;
+    }
+    std::complex<double> factor = 1.0;
+    const vehicle::Attachments& own = attachments_of(parameters.vehicle, place);
+    for (const lanes::FactorCurve* curve : {&own.centre, &own.front, &own.rear})
+        if (!curve->empty()) factor += curve->at(omega);
+    return factor;
 }
 
 std::vector<double> correction_nodes(const std::vector<Observation>& observations) {
@@ -119,6 +154,7 @@ std::vector<CorrectionPlace> correction_places(const BelievedCase& believed, con
         if (element == Element::support && believed.numbers.track.support.model == track::SupportModel::rigid) continue;
         const int count = element == Element::bogie ? 2 : element == Element::wheel ? 4 : 0;
         for (int which = 0; which <= count; ++which) places.push_back({.element = element, .channel = {}, .which = which});
+        if (element == Element::body || element == Element::bogie) places.push_back({.element = element, .channel = {}, .attached = true});
     }
     std::set<std::string> channels;
     for (const Observation& observation : observations)
@@ -136,8 +172,11 @@ std::vector<Unknown> correction_unknowns(const CorrectionPlace& place, const std
             unknowns.push_back(spectrum_unknown(nodes, node));
             continue;
         }
-        unknowns.push_back(structure_unknown(place, nodes, node, false));
-        unknowns.push_back(structure_unknown(place, nodes, node, true));
+        for (const bool imaginary : {false, true}) {
+            if (!place.attached) unknowns.push_back(structure_unknown(place, nodes, node, imaginary));
+            else
+                for (const Point point : {Point::centre, Point::front, Point::rear}) unknowns.push_back(attached_unknown(place, point, nodes, node, imaginary));
+        }
     }
     return unknowns;
 }

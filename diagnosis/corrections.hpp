@@ -1,6 +1,7 @@
 #pragma once
 // Free complex corrections: what a place of the structure would have to be like, without a name for it.
 
+#include <complex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,16 +16,20 @@ struct CorrectionPlace {
     Element element = Element::body;
     std::string channel;  ///< sensor only: as the effects call it
     int which = 0;        ///< bogie and wheel only: that one alone, numbered from the front; 0: all of them
+    /// Body and bogie only: on the body heave, pitch and what couples them each by itself, instead of one factor on the inertia; of bogies what
+    /// acts between the two.
+    bool attached = false;
 };
 
-/// The free correction of a place in a case; empty when it has none.
-const lanes::FactorCurve& correction_at(const pem::CaseParameters& parameters, const CorrectionPlace& place);
+/// What the free correction of a place multiplies its law with at ω (rad/s), 1 when it has none; attached: the dynamic mass against heave.
+std::complex<double> correction_at(const pem::CaseParameters& parameters, const CorrectionPlace& place, double omega);
 
 /// Places of the case that the recordings could speak of.
 std::vector<CorrectionPlace> correction_places(const BelievedCase& believed, const std::vector<Observation>& observations);
 
 /// Unknowns of a correction: real and imaginary part at nodes over the common band. Structure: the complex factor on the
-/// dynamic stiffness (suspension, pad, support, contact) or dynamic mass (body, bogie, wheel, rail); sensor: on the
+/// dynamic stiffness (suspension, pad, support, contact) or dynamic mass (body, bogie, wheel, rail); attached: dynamic masses at the
+/// centre, the front and the rear, in multiples of the body's (vehicle::Attachments); sensor: on the
 /// transfer of a channel; irregularity: a power factor fixed in frequency, which no irregularity can have.
 std::vector<Unknown> correction_unknowns(const CorrectionPlace& place, const std::vector<Observation>& observations);
 

@@ -11,6 +11,7 @@ constexpr double kBluntFloor = 0.1;
 constexpr std::size_t kClimbed = 3;         ///< of the starts, those most probable as they stand
 constexpr int kBluntIterations = 2;
 constexpr int kFurtherBluntIterations = 6;  ///< of an effect's best start
+constexpr int kStepsOfAStage = 5;           ///< of sharpening
 
 /// Typical values, and every parameter in turn near either end of its range.
 std::vector<Candidate> starts_of(const Candidate& candidate) {
@@ -50,10 +51,18 @@ FittedSet blunt_from_afar(const BelievedCase& believed, const Candidate& candida
     return fit_set(believed, best.fit, best.effects, {}, {}, blunt, options);
 }
 
-FittedSet sharpened(const BelievedCase& believed, const FittedSet& blunt, const LikelihoodContext& context, const std::function<void()>& between) {
-    FitOptions options{.iterations = 20, .stages = {0.1, 0.04, 0.015, 0.006, 0.0025}, .stage_iterations = 5};
+FittedSet half_sharpened(const BelievedCase& believed, const FittedSet& blunt, const LikelihoodContext& context, const std::function<void()>& between) {
+    FitOptions options{.iterations = kStepsOfAStage, .stages = {kBluntFloor}, .stage_iterations = kStepsOfAStage};
     options.between = between;
-    return fit_set(believed, blunt.fit, blunt.effects, blunt.released, {}, context, options);
+    LikelihoodContext half = context;
+    half.least_floor = kHalfSharpFloor;
+    return fit_set(believed, blunt.fit, blunt.effects, blunt.released, {}, half, options);
+}
+
+FittedSet sharpened(const BelievedCase& believed, const FittedSet& half_sharp, const LikelihoodContext& context, const std::function<void()>& between) {
+    FitOptions options{.iterations = 20, .stages = {0.015, 0.006, 0.0025}, .stage_iterations = kStepsOfAStage};
+    options.between = between;
+    return fit_set(believed, half_sharp.fit, half_sharp.effects, half_sharp.released, {}, context, options);
 }
 
 }  // namespace railpem::diagnosis

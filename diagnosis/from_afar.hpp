@@ -11,7 +11,13 @@ namespace railpem::diagnosis {
 /// blunt enough (a floor of 10 %) to have one broad maximum: the best of these. `between` is called between steps and may throw to stop.
 FittedSet blunt_from_afar(const BelievedCase& believed, const Candidate& candidate, const LikelihoodContext& context, const std::function<void()>& between);
 
-/// A set fitted with the blunt likelihood, sharpened in small steps.
-FittedSet sharpened(const BelievedCase& believed, const FittedSet& blunt, const LikelihoodContext& context, const std::function<void()>& between);
+/// The floor at which it shows whether a set that was fitted with the blunt likelihood is worth sharpening.
+constexpr double kHalfSharpFloor = 0.04;
+
+/// A set fitted with the blunt likelihood, sharpened to kHalfSharpFloor.
+FittedSet half_sharpened(const BelievedCase& believed, const FittedSet& blunt, const LikelihoodContext& context, const std::function<void()>& between);
+
+/// The same sharpened to the end, in small steps.
+FittedSet sharpened(const BelievedCase& believed, const FittedSet& half_sharp, const LikelihoodContext& context, const std::function<void()>& between);
 
 }  // namespace railpem::diagnosis

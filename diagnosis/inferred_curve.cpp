@@ -28,7 +28,7 @@ Complex suspension(vehicle::SuspensionParameters law, double omega) {
 }
 
 Complex corrected(const pem::CaseParameters& parameters, const CorrectionPlace& place, double frequency) {
-    return place_law(parameters, place.element, frequency).value() * correction_at(parameters, place).at(2.0 * std::numbers::pi * frequency);
+    return place_law(parameters, place.element, frequency).value() * correction_at(parameters, place, 2.0 * std::numbers::pi * frequency);
 }
 
 bool moves_law(const Unknown& unknown) {

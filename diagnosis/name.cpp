@@ -25,6 +25,7 @@ constexpr double kLeastRelease = 3.0;  ///< nats to first order; what a wrong be
 
 constexpr double kMuchMisfit_per_s = 100.0;  ///< nats that retuning may leave for its derivatives to be trusted
 constexpr double kBluntSearch = 0.1;   ///< relative floor
+constexpr double kHalfSharpMiss = 0.05; ///< of what retuning misses, a single that is there may leave when half sharp: axles that bend left nothing, failed fasteners in the place of two other effects 11 %
 constexpr double kMinor = 0.05;        ///< share of what a set explains: for what is left of that order no other set is sought in its place
 constexpr std::size_t kSharpened = 3;  ///< of the effects fitted from afar: those that the blunt likelihood prefers, until nothing is left
 
@@ -69,11 +70,11 @@ class Search {
         result_.first_promises = screened(result_.retuned.fit);
         if (is_distorted(result_.retuned.fit)) {
             blunt_search();
-            if (trials_.names() && left_over() < bearable()) return;
+            if (trials_.names() && leaves_little()) return;
         }
         if (result_.sets.empty()) first_round();
         further_rounds(2);
-        if (left_over() < bearable()) return;
+        if (leaves_little()) return;
         if (left_over() < kMinor * (trials_.leading().score() - result_.retuned.score())) return;
         const double before = trials_.leading().score();
         rescue_round();
@@ -111,8 +112,9 @@ class Search {
         search.first_round();
         const double single = search.trials_.leading().score();
         if (single > found.retuned.score() + options_.least_gain) {
-            sharpen(search.trials_.leading());
-            if (left_over() < bearable()) return further_rounds(static_cast<int>(trials_.leading().members()) + 1);
+            const FittedSet half = half_sharp(search.trials_.leading());
+            if (is_worth_sharpening(half, found.retuned.fit)) sharpen(half);
+            if (trials_.names() && leaves_little()) return further_rounds(static_cast<int>(trials_.leading().members()) + 1);
         }
         search.further_rounds(2);
         if (search.misses()) {
@@ -120,12 +122,23 @@ class Search {
             search.further_rounds(2);
         }
         const FittedSet& best = search.trials_.leading();
-        if (best.score() > std::max(single, found.retuned.score()) + options_.least_gain) sharpen(best);
+        if (best.score() > std::max(single, found.retuned.score()) + options_.least_gain) sharpen(half_sharp(best));
         if (!result_.sets.empty()) further_rounds(static_cast<int>(trials_.leading().members()) + 1);
     }
 
-    void sharpen(const FittedSet& blunt) {
-        result_.sets.push_back(sharpened(believed_, blunt, context_, [this] { say("sharpening", 0.5); }));
+    FittedSet half_sharp(const FittedSet& blunt) const {
+        return half_sharpened(believed_, blunt, context_, [this] { say("sharpening", 0.5); });
+    }
+
+    void sharpen(const FittedSet& half) {
+        result_.sets.push_back(sharpened(believed_, half, context_, [this] { say("sharpening", 0.5); }));
+    }
+
+    /// Half sharp, what is there leaves next to nothing of what retuning misses, unless its law is an approximation.
+    bool is_worth_sharpening(const FittedSet& half, const Fit& retuned) const {
+        LikelihoodContext half_sharp = context_;
+        half_sharp.least_floor = kHalfSharpFloor;
+        return is_approximate(half) || missed_by(half.fit, half_sharp) < kHalfSharpMiss * missed_by(retuned, half_sharp);
     }
 
     std::vector<Promise> screened(const Fit& fit) {
@@ -165,6 +178,14 @@ class Search {
         return most_left_;
     }
 
+    /// Whether nothing worth a further search is left beside the best set. What the unseen part repeats of its misfit is seen at once; free corrections
+    /// are asked only where that is little.
+    bool leaves_little() {
+        const FittedSet& best = trials_.leading();
+        const double misfit = trials_.names() ? misfit_left(best, result_.retuned.score(), options_.residual) : options_.residual;
+        return missed_by(best.fit, context_) <= misfit && left_over() < bearable();
+    }
+
     /// Is a place of the structure evident? Sensors do not count: free at every frequency, one imitates what its channel shows most.
     bool is_among(const std::vector<LocatedEvidence>& left, Element element) const {
         constexpr double kEvident = 0.1;  ///< share of the most evident place's nats
@@ -197,8 +218,9 @@ class Search {
         std::stable_sort(blunt.begin(), blunt.end(), [](const FittedSet& a, const FittedSet& b) { return a.fit.log_posterior > b.fit.log_posterior; });
         for (std::size_t i = 0; i < std::min(kSharpened, blunt.size()); ++i) {
             const std::string label = label_of(blunt[i].effects.front().instance);
-            result_.sets.push_back(sharpened(believed_, blunt[i], context_, [this, label] { say(label + " from afar", 0.7); }));
-            if (left_over() < bearable()) break;
+            const auto between = [this, label] { say(label + " from afar", 0.7); };
+            result_.sets.push_back(sharpened(believed_, half_sharpened(believed_, blunt[i], context_, between), context_, between));
+            if (leaves_little()) break;
         }
     }
 
@@ -235,7 +257,7 @@ class Search {
         if (static_cast<int>(chosen.size()) > options_.later_refits) chosen.erase(chosen.begin() + options_.later_refits, chosen.end());
         // What replaces a law sits where free corrections see it: where they find nothing, its promise is the shadow of the step that replaces.
         const auto replaces = [&](const Starts& starts) { return find_effect(result_.candidates[starts.front().candidate].instance.effect)->replaces; };
-        if (trials_.is_blunt() || left_over() < bearable()) std::erase_if(chosen, replaces);
+        if (trials_.is_blunt() || leaves_little()) std::erase_if(chosen, replaces);
         else add_unpromised(promises, result_.candidates, chosen);
         std::erase_if(chosen, is_member);
         Candidate winner;

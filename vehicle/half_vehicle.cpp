@@ -99,6 +99,28 @@ void add_wheel(HalfVehicle& car, const VehicleParameters& vehicle, const Degrees
     car.places[static_cast<int>(Place::wheel_1) + wheel] = {{degree, 1.0}};
 }
 
+/// Elements of what is attached to two motions of a body: heave, and pitch with this radius of gyration.
+void attach(HalfVehicle& car, const Attachments& attachments, double mass_kg, double radius_m, const std::vector<Share>& heave, const std::vector<Share>& pitch) {
+    const auto add = [&](const lanes::FactorCurve& curve, double arm) {
+        if (curve.empty()) return;
+        std::vector<Share> shares = heave;
+        if (arm != 0.0)
+            for (const Share& share : pitch) shares.push_back({share.degree, arm * share.weight});
+        car.elements.push_back({.shares = std::move(shares), .law = Law::attached, .index = static_cast<int>(car.attached.size()), .mass_kg = mass_kg});
+        car.attached.push_back(curve);
+    };
+    add(attachments.centre, 0.0);
+    add(attachments.front, radius_m);
+    add(attachments.rear, -radius_m);
+}
+
+void add_attachments(HalfVehicle& car, const VehicleParameters& vehicle, const Degrees& d) {
+    const double body_radius = std::sqrt(vehicle.body_pitch_inertia_kg_m2 / vehicle.body_mass_kg);
+    attach(car, vehicle.body_attachments, (vehicle.body_mass_kg + vehicle.payload_kg) / 2.0, body_radius, {{d.body_heave, 1.0}}, {{d.body_pitch, 1.0}});
+    const double mass = vehicle.bogie_mass_kg / 2.0, radius = std::sqrt(vehicle.bogie_pitch_inertia_kg_m2 / vehicle.bogie_mass_kg);
+    attach(car, vehicle.between_bogies, mass, radius, {{d.bogie_heave[0], 1.0}, {d.bogie_heave[1], -1.0}}, {{d.bogie_pitch[0], 1.0}, {d.bogie_pitch[1], 1.0}});
+}
+
 /// −ω²·mass, with the correction of whatever carries it.
 lanes::Complex inertia_of(const HalfVehicle& car, const Element& element, lanes::Real omega) {
     const lanes::Complex inertia{-element.mass_kg * omega * omega, lanes::Real{}};
@@ -117,6 +139,7 @@ lanes::Complex stiffness_of(const HalfVehicle& car, const Element& element, lane
         case Law::secondary: return suspension_stiffness(car.secondary, car.friction.secondary[element.index], omega);
         case Law::primary: return suspension_stiffness(car.primary, car.friction.primary[element.index], omega);
         case Law::inertia: return inertia_of(car, element, omega);
+        case Law::attached: return car.attached[static_cast<std::size_t>(element.index)].at(omega) * (-element.mass_kg * omega * omega);
         case Law::mode: break;
     }
     const double natural = kTwoPi * element.frequency_hz;
@@ -141,6 +164,7 @@ HalfVehicle half_vehicle(const VehicleParameters& vehicle) {
     add_body(car, vehicle, d);
     for (int bogie = 0; bogie < 2; ++bogie) add_bogie(car, vehicle, d, bogie);
     for (int wheel = 0; wheel < 4; ++wheel) add_wheel(car, vehicle, d, wheel);
+    add_attachments(car, vehicle, d);
     return car;
 }
 

@@ -14,7 +14,7 @@ namespace railpem::vehicle {
 enum class Place { body, body_front, body_rear, bogie_1, bogie_2, wheel_1, wheel_2, wheel_3, wheel_4, count };
 
 /// Which law of force an element of the structure obeys.
-enum class Law { secondary, primary, inertia, mode };
+enum class Law { secondary, primary, inertia, mode, attached };
 
 /// Whose rigid mass an element of Law::inertia carries, and with it whose correction; hung masses belong to none.
 enum class Carrier { none, body, bogie, wheel };
@@ -25,14 +25,14 @@ struct Share {
     double weight;
 };
 
-/// One element: elongation e = Σ weight·q, force = stiffness(ω)·e. For Law::inertia the "stiffness" is −ω²·mass·correction; for Law::mode
+/// One element: elongation e = Σ weight·q, force = stiffness(ω)·e. For Law::inertia the "stiffness" is −ω²·mass·correction, for Law::attached −ω²·mass·attached[index]; for Law::mode
 /// mass·(ω_n² − ω² + 2iζω_nω) when it carries a mass, or its spring part only where `mass_moves` is false.
 struct Element {
     std::vector<Share> shares;
     Law law = Law::inertia;
     Carrier carrier = Carrier::none;  ///< inertia
-    int index = 0;              ///< primary, inertia of a wheel: wheel 0…3; secondary, inertia of a bogie: bogie 0…1
-    double mass_kg = 0.0;       ///< inertia and mode (kg, or kg·m² for a rotation)
+    int index = 0;              ///< primary, inertia of a wheel: wheel 0…3; secondary, inertia of a bogie: bogie 0…1; attached: its curve
+    double mass_kg = 0.0;       ///< inertia, attached and mode (kg, or kg·m² for a rotation)
     double frequency_hz = 0.0;  ///< mode
     double damping_ratio = 0.0; ///< mode
     bool mass_moves = true;     ///< mode: its own mass is on this coordinate (false: a spring and dashpot of that mass)
@@ -55,6 +55,7 @@ struct HalfVehicle {
     lanes::FactorCurve body_correction, bogie_correction, wheel_correction;  ///< as in VehicleParameters
     std::array<lanes::FactorCurve, 2> one_bogie_correction;
     std::array<lanes::FactorCurve, 4> one_wheelset_correction;
+    std::vector<lanes::FactorCurve> attached;
     FrictionDamping friction;
 
     int first_wheel() const { return degrees - 4; }

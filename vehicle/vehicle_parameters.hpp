@@ -48,6 +48,12 @@ struct BogieMountedMass {
     double position_m = 0.0;  ///< from the bogie centre, positive towards the front
 };
 
+/// Dynamic masses attached to a rigid body at its centre and, a radius of gyration before and behind it, at its front and rear, in multiples of its
+/// mass: heave, pitch and what couples them each on its own. Free corrections of a diagnosis, nothing when empty.
+struct Attachments {
+    lanes::FactorCurve centre, front, rear;
+};
+
 struct VehicleParameters {
     double body_mass_kg = 0.0;
     double body_pitch_inertia_kg_m2 = 0.0;
@@ -70,6 +76,8 @@ struct VehicleParameters {
     lanes::FactorCurve wheel_correction;  ///< factor on the mass of every wheelset
     std::array<lanes::FactorCurve, 2> one_bogie_correction;    ///< and on those of one bogie only
     std::array<lanes::FactorCurve, 4> one_wheelset_correction; ///< and on the mass of one wheelset only
+    Attachments body_attachments;  ///< to the body, payload included
+    Attachments between_bogies;    ///< to the difference of both bogies' motions, seen from the middle of the car
 };
 
 /// Longitudinal positions of wheels 1…4 from the centre of the body, m, front first.

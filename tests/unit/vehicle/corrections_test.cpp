@@ -116,6 +116,75 @@ TEST(CorrectionOfASingleOne, IsMirroredByTheOtherEndAndIsNotTheNextOne) {
     EXPECT_GT(difference(first, second, false), 0.01);
 }
 
+Attachments at_both_ends(const lanes::FactorCurve& curve) { return {.centre = {}, .front = curve, .rear = curve}; }
+
+TEST(Attachment, AtFrontAndRearIsInertiaAgainstBothMotions) {
+    // (z + rθ)² + (z − rθ)² = 2(z² + r²θ²): a tenth of the mass at each end is a fifth of mass and pitch inertia.
+    const lanes::FactorCurve tenth{.frequency_hz = {30.0}, .value = {0.1}};
+    VehicleParameters attached = car(), heavier = car();
+    attached.body_attachments = at_both_ends(tenth);
+    heavier.body_correction = by_1_2;
+    EXPECT_LE(difference(attached, heavier, false), 1e-13);
+    EXPECT_GT(difference(attached, car(), false), 0.01);
+}
+
+TEST(Attachment, AtTheCentreIsMassAlone) {
+    const lanes::FactorCurve fifth{.frequency_hz = {30.0}, .value = {0.2}};
+    VehicleParameters attached = car(), heavier = car();
+    attached.body_attachments.centre = fifth;
+    heavier.body_mass_kg *= 1.2;
+    EXPECT_LE(difference(attached, heavier, false), 1e-13);
+}
+
+TEST(Attachment, AtOneEndIsMirroredByTheOther) {
+    const lanes::FactorCurve half{.frequency_hz = {30.0}, .value = {0.5}};
+    VehicleParameters front = car(), rear = car();
+    front.body_attachments.front = half;
+    rear.body_attachments.rear = half;
+    EXPECT_LE(difference(front, rear, true), 1e-12);
+    EXPECT_GT(difference(front, rear, false), 0.01);
+}
+
+TEST(Attachment, BetweenTheBogiesHoldsThemTogether) {
+    // A mass 1e9 times the bogie's on their difference in heave: both heave alike, whatever wheel is pushed.
+    VehicleParameters held = car();
+    held.between_bogies.centre = {.frequency_hz = {30.0}, .value = {1e9}};
+    const HalfVehicle model = half_vehicle(held);
+    Workspace work(model);
+    const WheelReceptance found = wheel_receptance(model, lanes::Real{4.0, 30.0, 170.0, 900.0}, work);
+    for (std::size_t wheel = 0; wheel < 4; ++wheel)
+        for (int lane = 0; lane < lanes::width; ++lane) {
+            const std::complex<double> first = found.at[static_cast<int>(Place::bogie_1)][wheel][lane], second = found.at[static_cast<int>(Place::bogie_2)][wheel][lane];
+            EXPECT_LE(std::abs(first - second), 1e-6 * std::abs(first));
+        }
+}
+
+TEST(Attachment, AtTheFrontHoldsTheFront) {
+    // 1e9 times the body's mass a radius of gyration (8.1 m) ahead of its centre: it turns about that point, and the front pivot (9 m) hardly moves.
+    VehicleParameters held = car();
+    held.body_bending.clear();
+    held.body_attachments.front = {.frequency_hz = {30.0}, .value = {1e9}};
+    const HalfVehicle model = half_vehicle(held);
+    Workspace work(model);
+    const WheelReceptance found = wheel_receptance(model, lanes::Real{4.0, 30.0, 170.0, 900.0}, work);
+    const auto &front = found.at[static_cast<int>(Place::body_front)], &rear = found.at[static_cast<int>(Place::body_rear)];
+    for (int lane = 0; lane < lanes::width; ++lane) EXPECT_LT(std::abs(front[3][lane]), 0.1 * std::abs(rear[3][lane]));
+}
+
+TEST(Attachment, BetweenTheBogiesActsTowardsTheMiddleOfTheCar) {
+    // (z₁ + rθ₁) − (z₂ − rθ₂): at the front of bogie 1 and at the rear of bogie 2, so that the outer wheels feel it more than the inner ones.
+    VehicleParameters outer = car(), inner = car();
+    outer.between_bogies.front = inner.between_bogies.rear = {.frequency_hz = {30.0}, .value = {1e3}};
+    EXPECT_LE(difference(outer, outer, true), 1e-9);
+    const HalfVehicle held_outside = half_vehicle(outer), held_inside = half_vehicle(inner);
+    Workspace outside_work(held_outside), inside_work(held_inside);
+    const lanes::Real omega{4.0, 30.0, 170.0, 900.0};
+    const WheelReceptance outside = wheel_receptance(held_outside, omega, outside_work), inside = wheel_receptance(held_inside, omega, inside_work);
+    const auto transmitted = [](const WheelReceptance& own, std::size_t wheel) { return std::abs(own.at[static_cast<int>(Place::bogie_2)][wheel][3]); };  // at 900 rad/s the bogies are free
+    EXPECT_GT(transmitted(outside, 0), 3.0 * transmitted(outside, 1));
+    EXPECT_GT(transmitted(inside, 1), 3.0 * transmitted(inside, 0));
+}
+
 TEST(SuspensionCorrection, ActsOnFrictionTooAndAtItsOwnFrequency) {
     SuspensionParameters law{.stiffness_n_per_m = 2.1e6, .damping_n_s_per_m = 4.9e4};
     const lanes::Real omega{4.0, 30.0, 170.0, 900.0};
