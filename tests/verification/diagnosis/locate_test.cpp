@@ -1,0 +1,57 @@
+// Where a spring that the case does not know acts, on recordings drawn with it.
+
+#include "diagnosis/locate.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <numbers>
+
+#include "tests/unit/diagnosis/synthesised_fixture.hpp"
+
+namespace railpem::diagnosis {
+namespace {
+
+/// A spring as a multiple of a mass: −k/(mω²).
+lanes::FactorCurve spring(double stiffness_n_per_m, double mass_kg) {
+    lanes::FactorCurve curve;
+    for (double f = 2.0; f < 200.0; f *= 1.2) {
+        const double omega = 2.0 * std::numbers::pi * f;
+        curve.frequency_hz.push_back(f);
+        curve.value.push_back(-stiffness_n_per_m / (mass_kg * omega * omega));
+    }
+    return curve;
+}
+
+std::vector<LocatedEvidence> located(const std::function<void(vehicle::VehicleParameters&)>& add) {
+    Synthesised made = synthesised(paper_believed({"vehicle.body_mass_kg", "vehicle.body_pitch_inertia_kg_m2", "vehicle.bogie_mass_kg", "vehicle.secondary.stiffness_n_per_m",
+                                                   "vehicle.secondary.damping_n_s_per_m", "vehicle.primary.stiffness_n_per_m"}),
+                                   {80.0 / 3.6}, 60.0, nine_channels(), {.window_s = 2.0, .low_hz = 2.0, .high_hz = 40.0});
+    add(made.truth.numbers.vehicle);
+    made.draw(5);
+    const std::vector<Unknown> unknowns = nuisance_unknowns(made.believed, made.observations);
+    const Fit retuned = fit(believed_trial(made.believed, made.observations), unknowns, means(unknowns), made.context(Part::fitted, 2));
+    std::vector<LocatedEvidence> places = locate(retuned, made.context(Part::fitted, 2));
+    for (std::size_t i = 0; i < 3; ++i) std::printf("%s%s %.0f; ", element_name(places[i].place.element).c_str(), places[i].place.attached ? " (attached)" : "", places[i].nats);
+    std::printf("\n");
+    return places;
+}
+
+// A factor on the inertia of the body cannot say that heave and pitch are coupled: sensors of the body would come first.
+TEST(Locate, BufferAtAnEndOfTheBody) {
+    const auto places = located([](vehicle::VehicleParameters& car) { car.body_attachments.rear = spring(3e5, car.body_mass_kg / 2.0); });
+    EXPECT_EQ(places.front().place.element, Element::body);
+    EXPECT_TRUE(places.front().place.attached);
+}
+
+// Nor can factors on the inertia of one bogie or both say that one moves the other.
+TEST(Locate, LinkBetweenTheBogies) {
+    const auto places = located([](vehicle::VehicleParameters& car) { car.between_bogies.rear = spring(3e5, car.bogie_mass_kg / 2.0); });
+    EXPECT_EQ(places.front().place.element, Element::bogie);
+    EXPECT_TRUE(places.front().place.attached);
+}
+
+}  // namespace
+}  // namespace railpem::diagnosis
