@@ -11,7 +11,8 @@ configure -DRAILPEM_TESTS=ON -DRAILPEM_MPI=ON -DRAILPEM_WARNINGS_AS_ERRORS=$warn
 cmake --build "$build"
 
 status=0
-ctest --test-dir "$build" --output-on-failure || status=$?
+# Programs side by side: most compute on one core, and those that use all share them.
+ctest --test-dir "$build" --output-on-failure -j "$(nproc)" || status=$?
 
 # A program of GoogleTest holds many tests; CTest counts it as one.
 tests=0
