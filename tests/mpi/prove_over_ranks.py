@@ -22,7 +22,7 @@ def prove(program, mpirun, folder, trials, processes):
     command = [program, "prove", "--quick", "--seconds", "20", "--trials", trials, "--seed", "5", "--out", folder, "--threads", "1"]
     if processes:
         command = [mpirun, "-n", str(processes), *command]
-    return subprocess.Popen([str(word) for word in command], env=ENVIRONMENT, stderr=subprocess.PIPE, text=True)
+    return subprocess.Popen([str(word) for word in command], env=ENVIRONMENT, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
 
 
 def finish(process):
