@@ -196,7 +196,7 @@ class Search {
     }
 
     /// A strong effect distorts the retuned case so much that no first derivative finds it from there. Effects of the evident
-    /// places are fitted as the retuned case was: from the believed numbers, at a typical strength, with a blunt likelihood first.
+    /// places, and those that follow the load, are fitted as the retuned case was: from the believed numbers, at a typical strength, with a blunt likelihood first.
     void rescue_round() {
         if (result_.left_by_retuned.empty()) result_.left_by_retuned = locate(result_.retuned.fit, context_);
         const auto is_evident = [&](Element element) {
@@ -210,7 +210,7 @@ class Search {
             const Element element = element_of(effect, candidate.instance);
             if (element == Element::sensor || element == Element::irregularity || element == Element::contact || is_numbered(effect)) continue;
             const std::string label = label_of(candidate.instance);
-            if (!is_evident(element) || std::find(done.begin(), done.end(), label) != done.end()) continue;
+            if ((!is_evident(element) && !effect.follows_load) || std::find(done.begin(), done.end(), label) != done.end()) continue;
             done.push_back(label);
             blunt.push_back(blunt_from_afar(believed_, candidate, context_, [this, label] { say(label + " from afar", 0.7); }));
         }

@@ -75,7 +75,7 @@ std::size_t address_space(const std::string& file, const ReadLimits& limits) {
 }
 #endif
 
-[[noreturn]] void be_the_child(int pipe, const std::string& file, const ReadLimits& limits,
+[[noreturn]] void be_the_child(int pipe, [[maybe_unused]] const std::string& file, const ReadLimits& limits,
                                const std::function<DataTable()>& work) {
     const rlimit no_core{0, 0};
     setrlimit(RLIMIT_CORE, &no_core);

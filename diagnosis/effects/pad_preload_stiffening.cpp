@@ -25,6 +25,7 @@ Effect pad_preload_stiffening() {
             "wheels by the softer pads between them differs. A second load, empty and full, separates: preload "
             "stiffening follows the load, nothing else does.",
         .approximate = true,  // the tangent at the load of the wheels; vibration itself bends the curve
+        .follows_load = true,
         .obstacle = [](const pem::CaseParameters& parameters) -> std::optional<Obstacle> {
             const track::PadParameters& pads = parameters.track.pads;
             if (!pads.force_polynomial_n.empty() || !pads.curve_force_n.empty()) return std::nullopt;
