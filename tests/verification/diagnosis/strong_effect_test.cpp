@@ -1,0 +1,39 @@
+// Effects so strong that retuning ends far from the truth, on recordings drawn with them.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "diagnosis/diagnose.hpp"
+#include "diagnosis/effects/effect.hpp"
+#include "tests/unit/diagnosis/synthesised_fixture.hpp"
+
+namespace railpem::diagnosis {
+namespace {
+
+/// All that the catalogue has but these.
+std::vector<std::string> all_but(const std::vector<std::string>& kept) {
+    std::vector<std::string> others;
+    for (const Effect& effect : effects())
+        if (std::find(kept.begin(), kept.end(), effect.id) == kept.end()) others.push_back(effect.id);
+    return others;
+}
+
+// Loads of two trains make a pad that follows them two different pads; a free correction is the same for both and shows little.
+TEST(StrongEffect, PreloadUnderTwoLoads) {
+    Synthesised made = synthesised(paper_believed({"vehicle.body_mass_kg", "vehicle.primary.stiffness_n_per_m", "vehicle.primary.damping_n_s_per_m", "vehicle.secondary.stiffness_n_per_m",
+                                                   "vehicle.secondary.damping_n_s_per_m", "track.pads.static_stiffness_n_per_m", "track.pads.damping_n_s_per_m"}),
+                                   {26.7, 20.6}, 60.0, nine_channels(), {.window_s = 2.0, .low_hz = 2.0, .high_hz = 175.0});
+    made.shapes.front().payload_kg = 8000.0;
+    made.truth.effects.push_back({.effect = "pad-preload-stiffening", .values = {{"strength", 0.7}}, .choices = {}});
+    made.draw(6);
+    DiagnoseOptions options{.threads = 2};
+    options.naming.without = all_but({"pad-preload-stiffening", "failed-fasteners", "pad-frequency-stiffening"});
+    const Diagnosis found = diagnose(made.believed, made.observations, options);
+    ASSERT_EQ(found.omitted.size(), 1u);
+    EXPECT_EQ(found.omitted.front().instance.effect, "pad-preload-stiffening");
+    EXPECT_NEAR(found.omitted.front().parameters.front().value, 0.7, 0.07);
+}
+
+}  // namespace
+}  // namespace railpem::diagnosis
