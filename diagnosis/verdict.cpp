@@ -75,6 +75,9 @@ bool says_as_much(const FittedSet& smaller, const FittedSet& larger, const Namin
             (leans(larger) && !leans(smaller)) || (is_trifling(larger) && !is_trifling(smaller)));
 }
 
+/// The same hypothesis, fitted from another start.
+bool is_the_same(const FittedSet& first, const FittedSet& second) { return first.members() == second.members() && contains(first, second) && contains(second, first); }
+
 bool only_sensors(const FittedSet& set) {
     const auto elements = elements_of(set, nullptr);
     return set.released.empty() && !elements.empty() && std::all_of(elements.begin(), elements.end(), [](Element element) { return element == Element::sensor; });
@@ -101,7 +104,9 @@ bool drop_superfluous(NamingResult& naming, const VerdictThresholds& thresholds)
     bool first = false;
     for (std::size_t i = 0; i < naming.sets.size(); ++i) {
         const FittedSet& set = naming.sets[i];
+        const auto here = naming.sets.begin() + static_cast<long>(i);
         const bool superfluous = unseen_disagrees(naming.retuned, set, naming.unseen_share) ||
+                                 std::any_of(naming.sets.begin(), here, [&](const FittedSet& better) { return is_the_same(better, set); }) ||
                                  std::any_of(naming.sets.begin(), naming.sets.end(), [&](const FittedSet& own) { return says_as_much(own, set, naming, thresholds); });
         if (!superfluous) kept.push_back(set);
         else first = first || i == 0;

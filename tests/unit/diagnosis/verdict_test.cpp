@@ -54,6 +54,14 @@ TEST(DropSuperfluous, TakesALittleBesideVeryMuch) {
     }
 }
 
+// Fits of one effect from near and from afar are one hypothesis, no rivals.
+TEST(DropSuperfluous, KeepsTheBetterOfTwoFitsOfOneSet) {
+    NamingResult naming = naming_of({set_of({"suspension-friction"}, {}, 100.0, 20.0), set_of({"suspension-friction"}, {}, 99.7, 20.0)});
+    EXPECT_FALSE(drop_superfluous(naming, thresholds));
+    ASSERT_EQ(naming.sets.size(), 1u);
+    EXPECT_EQ(naming.sets.front().score(), 100.0);
+}
+
 TEST(DropSuperfluous, KeepsWhatGainsAndHoldsOnTheUnseen) {
     NamingResult naming = naming_of({set_of({"rail-shear", "sensor-gain"}, {}, 110.0, 12.0), set_of({"rail-shear"}, {}, 100.0, 10.0)});
     EXPECT_FALSE(drop_superfluous(naming, thresholds));
