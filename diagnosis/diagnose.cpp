@@ -3,6 +3,7 @@
 #include <chrono>
 
 #include "diagnosis/locate.hpp"
+#include "diagnosis/robust_covariance.hpp"
 #include "diagnosis/verdict.hpp"
 #include "diagnosis/write_up.hpp"
 
@@ -79,6 +80,7 @@ class Diagnosing {
         all.part = Part::all;
         retuned_ = fit_set(believed_, naming_.retuned.fit, {}, {}, {}, all, near_);
         named_ = decision.named ? fit_set(believed_, decision.named->fit, decision.named->effects, decision.named->released, {}, all, near_) : retuned_;
+        named_.fit.covariance = robust_covariance(named_.fit, all);
     }
 
     const BelievedCase& believed_;

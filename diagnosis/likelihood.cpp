@@ -17,6 +17,7 @@ namespace railpem::diagnosis {
 namespace {
 
 using Complex = std::complex<double>;
+constexpr std::size_t kBlockBins = 8;   ///< 2 Hz of segments of 4 s
 constexpr std::size_t kChunkBins = 64;  ///< bins summed at a time, so that sums do not depend on the threads
 
 int thread_count(const LikelihoodContext& context) { return pem::thread_count(context.threads); }
@@ -26,11 +27,11 @@ struct Chunk {
     std::size_t observation, first, count;
 };
 
-std::vector<Chunk> chunks_of(const std::vector<Observation>& observations) {
+std::vector<Chunk> chunks_of(const std::vector<Observation>& observations, std::size_t bins = kChunkBins) {
     std::vector<Chunk> chunks;
     for (std::size_t o = 0; o < observations.size(); ++o)
-        for (std::size_t first = 0; first < observations[o].bins(); first += kChunkBins)
-            chunks.push_back({o, first, std::min(kChunkBins, observations[o].bins() - first)});
+        for (std::size_t first = 0; first < observations[o].bins(); first += bins)
+            chunks.push_back({o, first, std::min(bins, observations[o].bins() - first)});
     return chunks;
 }
 
@@ -219,13 +220,33 @@ double log_likelihood(const Trial& trial, const Predictions& predictions, const 
     return std::isfinite(sum) ? sum : -std::numeric_limits<double>::infinity();
 }
 
-LikelihoodSlope likelihood_slope(const Trial& trial, const std::vector<Unknown>& unknowns, const Predictions& predictions,
-                                 const std::vector<PredictionDerivative>& derivatives, const LikelihoodContext& context) {
-    const std::vector<Chunk> chunks = chunks_of(*context.observations);
-    const long count = static_cast<long>(unknowns.size());
+namespace {
+
+std::vector<LikelihoodSlope> chunk_slopes(const std::vector<Chunk>& chunks, const Trial& trial, const std::vector<Unknown>& unknowns, const Predictions& predictions,
+                                          const std::vector<PredictionDerivative>& derivatives, const LikelihoodContext& context) {
     std::vector<LikelihoodSlope> parts(chunks.size());
 #pragma omp parallel for schedule(dynamic, 1) num_threads(thread_count(context))
     for (std::size_t i = 0; i < chunks.size(); ++i) parts[i] = chunk_slope(chunks[i], trial, unknowns, predictions, derivatives, context);
+    return parts;
+}
+
+}  // namespace
+
+std::vector<GradientBlock> gradient_blocks(const Trial& trial, const std::vector<Unknown>& unknowns, const Predictions& predictions,
+                                           const std::vector<PredictionDerivative>& derivatives, const LikelihoodContext& context) {
+    const std::vector<Chunk> chunks = chunks_of(*context.observations, kBlockBins);
+    const std::vector<LikelihoodSlope> parts = chunk_slopes(chunks, trial, unknowns, predictions, derivatives, context);
+    std::vector<GradientBlock> blocks;
+    for (std::size_t i = 0; i < chunks.size(); ++i)
+        if (!(*context.observations)[chunks[i].observation].scalar)
+            blocks.push_back({chunks[i].observation, (*context.observations)[chunks[i].observation].frequency(chunks[i].first), parts[i].gradient});
+    return blocks;
+}
+
+LikelihoodSlope likelihood_slope(const Trial& trial, const std::vector<Unknown>& unknowns, const Predictions& predictions,
+                                 const std::vector<PredictionDerivative>& derivatives, const LikelihoodContext& context) {
+    const std::vector<LikelihoodSlope> parts = chunk_slopes(chunks_of(*context.observations), trial, unknowns, predictions, derivatives, context);
+    const long count = static_cast<long>(unknowns.size());
     LikelihoodSlope total{.gradient = Eigen::VectorXd::Zero(count), .information = Eigen::MatrixXd::Zero(count, count)};
     for (const LikelihoodSlope& part : parts) {
         total.log_likelihood += part.log_likelihood;

@@ -64,6 +64,17 @@ double log_likelihood(const Trial& trial, const Predictions& predictions, const 
 LikelihoodSlope likelihood_slope(const Trial& trial, const std::vector<Unknown>& unknowns, const Predictions& predictions,
                                  const std::vector<PredictionDerivative>& derivatives, const LikelihoodContext& context);
 
+/// What neighbouring bins of one observation add to the gradient of the log-likelihood; at its top they sum up to nothing (or the beliefs' pull).
+struct GradientBlock {
+    std::size_t observation = 0;
+    double frequency_hz = 0.0;  ///< the first bin's
+    Eigen::VectorXd gradient;   ///< one element per unknown
+};
+
+/// The gradient in blocks of a few hertz, observation by observation, upwards. Time series only.
+std::vector<GradientBlock> gradient_blocks(const Trial& trial, const std::vector<Unknown>& unknowns, const Predictions& predictions,
+                                           const std::vector<PredictionDerivative>& derivatives, const LikelihoodContext& context);
+
 /// The measured spectra of the part in question.
 const MeasuredSpectra& measured(const Observation& observation, Part part);
 

@@ -46,6 +46,7 @@ struct Description {
     std::string source;      ///< where default, range or law come from; may be empty
 };
 
+// NOLINTBEGIN(performance-unnecessary-value-param): clang-tidy 14 does not see std::move in a template
 /// A parameter of an `Owner` struct. `set` expects a value of the described kind that lies in the range.
 template <class Owner>
 struct Field {
@@ -106,5 +107,7 @@ Field<Owner> choice(Enumeration Owner::* member, std::string key, std::vector<st
                     if (choices[i] == std::get<std::string>(value)) owner.*member = static_cast<Enumeration>(i);
             }};
 }
+
+// NOLINTEND(performance-unnecessary-value-param)
 
 }  // namespace railpem::parameters
