@@ -10,8 +10,8 @@ cd "$root"
 preset=sanitize
 folder=build/sanitize
 flags=()
-short=(unit_app unit_lanes unit_pem unit_ranks unit_spectra unit_track unit_vehicle verification_pem verification_track verification_vehicle cases_shipped
-    cases_sweep input_errors_cases fuzz_corpus)
+short=(unit_app unit_lanes unit_pem unit_ranks unit_spectra unit_track unit_vehicle verification_pem verification_vehicle verification_spectra cases_shipped
+    input_errors_cases fuzz_corpus)
 statistics='-Faults.*:SpectralLines.*:WheelbaseSpeed.*:Delay.*:CrossSpectra.*:Inspection.*' # of recordings: long, and they read nothing
 targets=()
 tests=(-E '^(install_|faults|structure_)')
