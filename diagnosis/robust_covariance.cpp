@@ -24,18 +24,35 @@ std::vector<Eigen::VectorXd> third_octaves(const std::vector<GradientBlock>& blo
     return bands;
 }
 
+/// Variance of an effect's parameter by what its law gets wrong.
+double law_variance(const Unknown& unknown, double coordinate) {
+    if (unknown.kind != UnknownKind::effect) return 0.0;
+    const Effect& effect = *find_effect(unknown.name.substr(0, unknown.name.find('.')));
+    for (const EffectParameter& parameter : effect.parameters) {
+        if (effect.id + "." + parameter.name != unknown.name || parameter.inexact == 0.0) continue;
+        const double step = to_coordinate(parameter, (1.0 + parameter.inexact) * from_coordinate(parameter, coordinate)) - coordinate;
+        return step * step;
+    }
+    return 0.0;
+}
+
+/// Σ g_b g_bᵀ + D⁻².
+Eigen::MatrixXd scatter_of(const Fit& fit, const LikelihoodContext& context) {
+    const auto derivatives = differentiate(fit.trial, fit.unknowns, fit.values, fit.predictions, context);
+    Eigen::MatrixXd scatter = Eigen::MatrixXd::Zero(fit.covariance.rows(), fit.covariance.cols());
+    for (std::size_t u = 0; u < fit.unknowns.size(); ++u) scatter(static_cast<long>(u), static_cast<long>(u)) = 1.0 / (fit.unknowns[u].deviation * fit.unknowns[u].deviation);
+    for (const Eigen::VectorXd& band : third_octaves(gradient_blocks(fit.trial, fit.unknowns, fit.predictions, derivatives, context))) scatter += band * band.transpose();
+    return scatter;
+}
+
 }  // namespace
 
 Eigen::MatrixXd robust_covariance(const Fit& fit, const LikelihoodContext& context) {
-    const auto derivatives = differentiate(fit.trial, fit.unknowns, fit.values, fit.predictions, context);
-    const std::vector<Eigen::VectorXd> bands = third_octaves(gradient_blocks(fit.trial, fit.unknowns, fit.predictions, derivatives, context));
-    if (bands.empty()) return fit.covariance;
-    Eigen::MatrixXd scatter = Eigen::MatrixXd::Zero(fit.covariance.rows(), fit.covariance.cols());
-    for (std::size_t u = 0; u < fit.unknowns.size(); ++u) scatter(static_cast<long>(u), static_cast<long>(u)) = 1.0 / (fit.unknowns[u].deviation * fit.unknowns[u].deviation);
-    for (const Eigen::VectorXd& band : bands) scatter += band * band.transpose();
-    const Eigen::VectorXd own = (fit.covariance * scatter * fit.covariance).diagonal().cwiseSqrt(), least = fit.covariance.diagonal().cwiseSqrt();
-    const Eigen::VectorXd wider = own.cwiseQuotient(least).cwiseMax(1.0);
-    return wider.asDiagonal() * fit.covariance * wider.asDiagonal();
+    const Eigen::VectorXd variance = fit.covariance.diagonal();
+    Eigen::VectorXd wider = (fit.covariance * scatter_of(fit, context) * fit.covariance).diagonal().cwiseMax(variance);
+    for (std::size_t u = 0; u < fit.unknowns.size(); ++u) wider(static_cast<long>(u)) += law_variance(fit.unknowns[u], fit.values[u]);
+    const Eigen::VectorXd factor = wider.cwiseQuotient(variance).cwiseSqrt();
+    return factor.asDiagonal() * fit.covariance * factor.asDiagonal();
 }
 
 }  // namespace railpem::diagnosis

@@ -17,6 +17,7 @@ Effect pad_preload_stiffening() {
                         .typical = 1.0,
                         .strength = true,
                         .nothing = 0.0,
+                        .inexact = 0.04,  // docs/theory/diagnosis.md
                         .says = "the share s: 1 is what the static curve of the pad gives"}},
         .elements = {Element::pad},
         .bands = {{30.0, 200.0}},

@@ -23,6 +23,7 @@ Effect suspension_friction() {
                         .strength = true,
                         .nothing = 0.0,
                         .amplitude = true,
+                        .inexact = 0.06,  // docs/theory/diagnosis.md
                         .says = "friction force of one element, per rail side"}},
         .choices = {{.name = "stage", .options = {"primary", "secondary"}, .says = "the stage of the suspension"}},
         .elements = {Element::primary, Element::secondary},

@@ -59,5 +59,24 @@ TEST(RobustCovariance, IsWiderWhereBandsDisagree) {
     EXPECT_GT(widening(made)[2], 2.0);
 }
 
+// The strength is known to some thousandths where the law is exact; what marched records say of the law is added.
+TEST(RobustCovariance, KnowsWhatALawGetsWrong) {
+    Synthesised made = three_speeds();
+    const EffectInstance preload{.effect = "pad-preload-stiffening", .values = {{"strength", 0.8}}, .choices = {}};
+    made.truth.effects.push_back(preload);
+    made.draw(5);
+    Trial trial = believed_trial(made.believed, made.observations);
+    trial.effects.push_back(preload);
+    std::vector<Unknown> unknowns = nuisance_unknowns(made.believed, made.observations);
+    std::vector<double> start = means(unknowns);
+    for (const Unknown& unknown : effect_unknowns(preload, 0)) unknowns.push_back(unknown), start.push_back(0.8);
+    const Fit own = fit(trial, unknowns, start, made.context());
+    const long u = static_cast<long>(unknowns.size()) - 1;
+    const double strength = own.values.back(), law = find_effect("pad-preload-stiffening")->parameters.front().inexact * strength;
+    const double deviation = std::sqrt(robust_covariance(own, made.context())(u, u));
+    EXPECT_GE(deviation, std::hypot(own.deviation(static_cast<std::size_t>(u)), law) * (1.0 - 1e-9));
+    EXPECT_LE(deviation, std::hypot(2.0 * own.deviation(static_cast<std::size_t>(u)), law));  // bands disagree by chance only
+}
+
 }  // namespace
 }  // namespace railpem::diagnosis
