@@ -46,7 +46,7 @@ LineScores line_scores(const Fit& fit, const LikelihoodContext& context, std::si
     const pem::WheelTransfers& transfers = fit.predictions.caches[o].transfers;
     const std::vector<double> wheels = vehicle::wheel_positions(fit.trial.numbers.vehicle);
     LineScores scores{.speed_m_per_s = fit.trial.speed_m_per_s[o], .bin_hz = observation.kernel.bin_hz(), .from_hz = observation.frequency(0)};
-    for (int k = -kReachBins; k <= kReachBins; ++k) scores.kernel[static_cast<std::size_t>(k + kReachBins)] = observation.kernel(k * scores.bin_hz);
+    for (long k = -kReachBins; k <= kReachBins; ++k) scores.kernel[static_cast<std::size_t>(k + kReachBins)] = observation.kernel(static_cast<double>(k) * scores.bin_hz);
     const std::size_t size = observation.channels.size();
     std::vector<Complex> at(size * 4), wave(size), u(size);
     WhitenedBin white;

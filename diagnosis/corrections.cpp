@@ -36,7 +36,7 @@ auto* structure_curve(Case& parameters, const CorrectionPlace& place) {
         case Element::rail: return &parameters.track.rail.correction;
         case Element::pad: return &parameters.track.pads.correction;
         case Element::support: return &parameters.track.support.correction;
-        case Element::irregularity: break;
+        case Element::irregularity:
         case Element::sensor: break;
     }
     return none;

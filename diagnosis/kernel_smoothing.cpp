@@ -51,18 +51,19 @@ lanes::Real load(const double* from) {
 /// Weighted sums over the taps for kLanes bins from `bin` on.
 void sum_taps(const recordings::KernelWeights& kernel, const Polyphase& order, const double* values, std::size_t bin, double* sum) {
     lanes::Real a{}, b{}, c{}, d{};  // in registers; an array would not stay there
-    static_assert(4 * lanes::width == kLanes);
+    constexpr std::ptrdiff_t width = lanes::width;
+    static_assert(4 * width == kLanes);
     for (std::size_t t = 0; t < kernel.weights.size(); ++t) {
         const double* x = values + order.taps()[t] + bin;
         a += kernel.weights[t] * load(x);
-        b += kernel.weights[t] * load(x + lanes::width);
-        c += kernel.weights[t] * load(x + 2 * lanes::width);
-        d += kernel.weights[t] * load(x + 3 * lanes::width);
+        b += kernel.weights[t] * load(x + width);
+        c += kernel.weights[t] * load(x + 2 * width);
+        d += kernel.weights[t] * load(x + 3 * width);
     }
     std::memcpy(sum, &a, sizeof a);
-    std::memcpy(sum + lanes::width, &b, sizeof b);
-    std::memcpy(sum + 2 * lanes::width, &c, sizeof c);
-    std::memcpy(sum + 3 * lanes::width, &d, sizeof d);
+    std::memcpy(sum + width, &b, sizeof b);
+    std::memcpy(sum + 2 * width, &c, sizeof c);
+    std::memcpy(sum + 3 * width, &d, sizeof d);
 }
 
 }  // namespace

@@ -19,8 +19,7 @@ std::vector<PredictionDerivative> directions(const Fit& fit, const std::vector<C
                                              const LikelihoodContext& context) {
     const std::vector<Observation>& observations = *context.observations;
     std::vector<PredictionDerivative> result(count * observations.size());
-    const int threads = pem::thread_count(context.threads);
-#pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
+#pragma omp parallel for schedule(dynamic, 1) num_threads(pem::thread_count(context.threads))
     for (std::size_t i = 0; i < result.size(); ++i) {
         const std::size_t c = i / observations.size(), o = i % observations.size();
         PredictionDerivative& own = result[i];

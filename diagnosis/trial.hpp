@@ -25,7 +25,7 @@ struct Trial {
     std::vector<double> discrepancy;              ///< per observation: relative deviation of a scalar value that the model class cannot say
     std::vector<std::vector<double>> log_gain;    ///< per observation and channel: of a scalar level whose unit cannot be trusted
     /// Relative amplitude of what the model class cannot say, incoherent between channels: [group][node].
-    std::vector<double> floor = std::vector<double>(kFloorGroups * kFloorNodeCount, 0.0);
+    std::vector<double> floor = std::vector<double>(static_cast<std::size_t>(kFloorGroups) * kFloorNodeCount, 0.0);
 };
 
 /// The group whose floor a response shares.

@@ -64,7 +64,7 @@ void whiten_at(const Parts& parts, double s, WhitenedBin& result) {
             model.re[j][i] = result.amplification * parts.excited.re[j][i];
             model.im[j][i] = result.amplification * parts.excited.im[j][i];
         }
-        model.re[j][j] += parts.noise[j];
+        model.re[j][j] += parts.noise[j];  // NOLINT(clang-analyzer-core.uninitialized.Assign): rows are never fewer than the size
     }
     const double log_determinant = invert_factor(model, size, result.inverse_factor);
     if (std::isnan(log_determinant)) {

@@ -102,10 +102,9 @@ Solution solve_case(const CaseParameters& parameters, double speed_m_per_s, cons
     solution.pseudo_response.resize(sources.size() * response_names().size() * lines);
 
     const std::size_t groups = (lines + lanes::width - 1) / lanes::width;
-    const int threads = thread_count(options.threads);
     std::atomic<std::size_t> done{0};
     TeamFailure failure;
-#pragma omp parallel num_threads(threads)
+#pragma omp parallel num_threads(thread_count(options.threads))
     {
         std::optional<CoupledWorkspace> workspace;
         failure.guard([&] { workspace.emplace(model); });

@@ -39,7 +39,7 @@ Format format_of(const fs::path& file) {
 }
 
 fs::path data_path(const RecordingDescription& description, const fs::path& base) {
-    const fs::path path =
+    fs::path path =
         fs::path(description.data).is_absolute() ? fs::path(description.data) : base / description.data;
     std::error_code ignored;
     if (!fs::exists(path, ignored))

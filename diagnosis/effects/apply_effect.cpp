@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 #include <numeric>
+#include <stdexcept>
 
 #include "diagnosis/effects/effect.hpp"
 #include "parameters/parameter_error.hpp"
@@ -96,7 +97,7 @@ EffectInstance completed(const Effect& effect, EffectInstance instance) {
 
 double value_of(const Effect& effect, const EffectInstance& instance, const std::string& name) {
     const EffectParameter* parameter = find_parameter(effect, name);
-    assert(parameter);
+    if (!parameter) throw std::logic_error(effect.id + " has no parameter " + name);
     const auto stated = instance.values.find(name);
     return stated == instance.values.end() ? parameter->typical : stated->second;
 }
