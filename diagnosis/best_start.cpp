@@ -14,7 +14,7 @@ Started best_start(const BelievedCase& believed, const Fit& near, const Starts& 
         for (const double part : kParts) {
             if (part == 0.0 && std::isfinite(best.log_posterior)) break;  // the mild strength is for what cannot be reached from nothing
             Started own{.candidate = part == 0.0 ? candidate : started_at(candidate, part * promise.strength),
-                        .near = {.trial = near.trial, .unknowns = near.unknowns, .values = near.values}};
+                        .near = {.trial = near.trial, .unknowns = near.unknowns, .values = near.values, .derivatives = near.derivatives}};
             for (std::size_t u = 0; u < own.near.values.size(); ++u)
                 own.near.values[u] = std::clamp(near.values[u] + part * promise.strength * promise.move(static_cast<long>(u)), near.unknowns[u].low, near.unknowns[u].high);
             std::vector<Candidate> with = members;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numbers>
 #include <set>
 #include <type_traits>
 
@@ -133,6 +134,17 @@ std::complex<double> correction_at(const pem::CaseParameters& parameters, const 
     for (const lanes::FactorCurve* curve : {&own.centre, &own.front, &own.rear})
         if (!curve->empty()) factor += curve->at(omega);
     return factor;
+}
+
+double correction_weight(const CorrectionPlace& place, const std::vector<double>& nodes, std::size_t node, double frequency_hz) {
+    if (place.element == Element::irregularity) {
+        spectra::LogFrequencySpline own{nodes, std::vector<double>(nodes.size(), 0.0)};
+        own.log_factor[node] = 1.0;
+        return std::log(own.at(frequency_hz));
+    }
+    lanes::FactorCurve own{nodes, std::vector<std::complex<double>>(nodes.size(), 0.0)};
+    own.value[node] = 1.0;
+    return own.at(2.0 * std::numbers::pi * frequency_hz).real();
 }
 
 std::vector<double> correction_nodes(const std::vector<Observation>& observations) {

@@ -33,6 +33,9 @@ std::vector<CorrectionPlace> correction_places(const BelievedCase& believed, con
 /// transfer of a channel; irregularity: a power factor fixed in frequency, which no irregularity can have.
 std::vector<Unknown> correction_unknowns(const CorrectionPlace& place, const std::vector<Observation>& observations);
 
+/// How much the node of a correction moves it at a frequency (Hz): 1 at the node itself, 0 at all others. `nodes` of correction_nodes().
+double correction_weight(const CorrectionPlace& place, const std::vector<double>& nodes, std::size_t node, double frequency_hz);
+
 /// Frequencies of the nodes, Hz.
 std::vector<double> correction_nodes(const std::vector<Observation>& observations);
 

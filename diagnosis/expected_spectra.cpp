@@ -168,6 +168,7 @@ ExpectationCache prepared(const pem::CaseParameters& parameters, double speed, c
     own.pads = pem::pad_transfers(parameters, model, same_rail && !known->pads.rail.empty() ? &known->pads : nullptr);
     own.track = same_rail ? pem::with_other_vehicle(known->track, parameters, model, speed) : pem::track_excitation(parameters, wheels, speed, &model);
     own.of_irregularity = own.transfers;
+    own.sensors = parameters.sensors;
     if (!model.rail->equal_seats()) return own;
     own.modulation = pem::modulation_transfers(parameters, model, speed, std::move(rolling), same_rail ? &known->modulation : nullptr);
     own.orders = pem::modulations(parameters, own.track, own.modulation, kLeastOrder);
@@ -176,6 +177,25 @@ ExpectationCache prepared(const pem::CaseParameters& parameters, double speed, c
     own.felt = pem::felt_orders(all, own.modulation);
     own.of_irregularity = with_what_comes_back(own.transfers, own.felt.front());
     pem::feed_back_lines(parameters, own.modulation, own.track);
+    return own;
+}
+
+/// The cache of a case whose sensors alone are others.
+ExpectationCache with_other_sensors(const ExpectationCache& known, const pem::CaseParameters& parameters, const std::vector<ObservedChannel>& channels) {
+    pem::CaseParameters before = parameters;
+    before.sensors = known.sensors;
+    ExpectationCache own = known;
+    own.sensors = parameters.sensors;
+    for (std::size_t c = 0; c < channels.size(); ++c)
+        for (std::size_t line = 0; line < known.transfers.lines; ++line) {
+            const double frequency = known.transfers.from_hz + static_cast<double>(line) * known.transfers.step_hz;
+            const Complex now = channel_factor(parameters, channels[c], frequency), then = channel_factor(before, channels[c], frequency);
+            if (now == then) continue;
+            for (std::size_t j = 0; j < 4; ++j) {
+                own.transfers.values[(line * channels.size() + c) * 4 + j] *= now / then;
+                own.of_irregularity.values[(line * channels.size() + c) * 4 + j] *= now / then;
+            }
+        }
     return own;
 }
 
@@ -212,11 +232,11 @@ ExpectedSpectra expected_spectra(const pem::CaseParameters& parameters, double s
     const FineGrid grid = fine_grid(kernel, expected.first_bin, bins, options.oversampling);
     const recordings::KernelWeights weights =
         options.weights.weights.empty() ? expectation_weights(kernel, options.oversampling) : options.weights;
-    if (has_friction(parameters) && reuse == Reuse::transfers) reuse = Reuse::rail;  // its forces are no transfer
+    if (has_friction(parameters) && (reuse == Reuse::transfers || reuse == Reuse::motion)) reuse = Reuse::rail;  // its forces are no transfer
     // With all transfers the excitation's lines are those of the cache; pads that stiffen under load do not share it.
     if (reuse == Reuse::transfers) add_excitation(parameters, speed, *known, grid, kernel, weights, options.beside, expected);
     else {
-        ExpectationCache own = prepared(parameters, speed, channels, grid, bin, options, known, reuse, expected);
+        ExpectationCache own = reuse == Reuse::motion ? with_other_sensors(*known, parameters, channels) : prepared(parameters, speed, channels, grid, bin, options, known, reuse, expected);
         add_excitation(parameters, speed, own, grid, kernel, weights, options.beside, expected);
         if (filled) *filled = std::move(own);
     }

@@ -63,6 +63,7 @@ recordings::KernelWeights expectation_weights(const recordings::WindowKernel& ke
 struct ExpectationCache {
     std::vector<pem::RailGroup> rails, level_rails;  ///< on the lines of the transfers, and on those of pem::linearise()
     pem::WheelTransfers transfers, of_irregularity;  ///< the latter with what comes back through the supports
+    std::vector<pem::SensorParameters> sensors;      ///< that are part of them
     pem::TrackExcitation track;
     vehicle::FrictionDamping friction;               ///< as linearised: where the next linearisation starts
     pem::PadTransfers pads;                          ///< of pads that load stiffens
@@ -71,9 +72,9 @@ struct ExpectationCache {
     std::vector<pem::FeltOrder> felt;
 };
 
-/// What may be taken from the cache: nothing, the rail (track and speed are the same) or all transfers (only the
+/// What may be taken from the cache: nothing, the rail (track and speed are the same), all motion (only what sensors make of it differs) or all transfers (only the
 /// excitation differs).
-enum class Reuse { nothing, rail, transfers };
+enum class Reuse { nothing, rail, motion, transfers };
 
 /// Expectation of the windowed estimate: ∫|W(f − f')|² S(f') df' with S = Σ_s y_s y_sᴴ over all broadband sources with their delays,
 /// plus P·K(f − f_l) for every line l of power P, plus noise.

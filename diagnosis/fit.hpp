@@ -3,21 +3,24 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <memory>
 #include <vector>
 
+#include "diagnosis/derivatives.hpp"
 #include "diagnosis/likelihood.hpp"
 
 namespace railpem::diagnosis {
 
 /// A fit's way and end.
 struct FitOptions {
-    int iterations = 20;           ///< at the last stage
+    int iterations = 20;           ///< at the last stage: times that derivatives are taken
     double least_gain = 0.1;       ///< nats: the fit ends when a step promises less
     bool from_far = true;          ///< begin with a blunt likelihood (large floor) that is sharpened in stages
     std::vector<double> stages = {0.1, 0.02, 0.004};  ///< floors of the blunt likelihoods, when it begins with them
     int stage_iterations = 2;
     const struct Fit* rival = nullptr;  ///< the best rival: a fit that cannot come near is given up, also where the likelihood is still blunt
     double room = 0.0;             ///< nats that the fit may stay behind the rival
+    std::shared_ptr<const Derivatives> near;  ///< taken near the start, when there are any: the first steps go by them
     std::function<void()> between; ///< called between steps; may throw to stop
 };
 
@@ -32,8 +35,9 @@ struct Fit {
     Eigen::VectorXd gradient;     ///< of the log-posterior at the end
     Eigen::MatrixXd covariance;   ///< of the unknowns: (F + D⁻²)⁻¹
     Predictions predictions;
-    int iterations = 0;
+    int iterations = 0;         ///< times that derivatives were taken
     bool converged = false;
+    std::shared_ptr<const Derivatives> derivatives;  ///< at `values`; none where the fit was given up, or where they were let go (a megabyte for every unknown and recording)
 
     double deviation(std::size_t unknown) const;  ///< standard deviation of an unknown
     const Unknown* find(const std::string& name, std::size_t* index = nullptr) const;
@@ -46,6 +50,9 @@ double log_posterior_at(const Trial& base, const std::vector<Unknown>& unknowns,
 /// −∞, predictions and covariance empty.
 Fit fit(const Trial& base, std::vector<Unknown> unknowns, std::vector<double> start, const LikelihoodContext& context,
         const FitOptions& options = {});
+
+/// Derivatives at a fit's values: its own, or taken anew where it has none.
+std::vector<PredictionDerivative> derivatives_of(const Fit& fit, const LikelihoodContext& context);
 
 /// Means of the unknowns' beliefs.
 std::vector<double> means(const std::vector<Unknown>& unknowns);

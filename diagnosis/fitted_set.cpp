@@ -88,7 +88,9 @@ FittedSet fit_set(const BelievedCase& believed, const Fit& near, std::vector<Can
                   std::vector<CorrectionPlace> anonymous, const LikelihoodContext& context, const FitOptions& options) {
     FittedSet set{.effects = std::move(members), .released = std::move(released), .anonymous = std::move(anonymous)};
     Supposition own = suppose(believed, near, set.effects, set.released, set.anonymous, context);
-    set.fit = fit(own.trial, std::move(own.unknowns), std::move(own.start), context, options);
+    FitOptions from_near = options;
+    from_near.near = near.derivatives;
+    set.fit = fit(own.trial, std::move(own.unknowns), std::move(own.start), context, from_near);
     set.log_prior = prior_of(set, believed.uncertain.size());
     set.held_out = part_log_likelihood(set.fit, context, Part::held_out);
     return set;
@@ -99,7 +101,7 @@ FittedSet fit_correction(const BelievedCase& believed, const Fit& near, const Lo
     Fit best;
     double highest = -std::numeric_limits<double>::infinity();
     for (const double part : {1.0, 0.3, 0.1, 0.0}) {
-        Fit moved{.trial = near.trial, .unknowns = near.unknowns, .values = near.values};
+        Fit moved{.trial = near.trial, .unknowns = near.unknowns, .values = near.values, .derivatives = near.derivatives};
         for (std::size_t u = 0; u < moved.values.size(); ++u) moved.values[u] += part * located.promise.move(static_cast<long>(u));
         for (std::size_t u = 0; u < freedom.size(); ++u) {
             moved.unknowns.push_back(freedom[u]);

@@ -48,7 +48,9 @@ FittedSet blunt_from_afar(const BelievedCase& believed, const Candidate& candida
         if (best.effects.empty() || set.fit.log_posterior > best.fit.log_posterior) best = std::move(set);
     }
     options.iterations = kFurtherBluntIterations;
-    return fit_set(believed, best.fit, best.effects, {}, {}, blunt, options);
+    best = fit_set(believed, best.fit, best.effects, {}, {}, blunt, options);
+    best.fit.derivatives.reset();  // several of these wait for each other
+    return best;
 }
 
 FittedSet half_sharpened(const BelievedCase& believed, const FittedSet& blunt, const LikelihoodContext& context, const std::function<void()>& between) {

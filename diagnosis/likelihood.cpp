@@ -22,6 +22,8 @@ constexpr std::size_t kChunkBins = 64;  ///< bins summed at a time, so that sums
 
 int thread_count(const LikelihoodContext& context) { return pem::thread_count(context.threads); }
 
+double known_processes(const LikelihoodContext& context, std::size_t observation, std::size_t bin) { return context.processes ? (*context.processes)[observation][bin] : 0.0; }
+
 /// Bins of an observation that are summed together.
 struct Chunk {
     std::size_t observation, first, count;
@@ -97,7 +99,7 @@ LikelihoodSlope chunk_slope(const Chunk& chunk, const Trial& trial, const std::v
     std::vector<double> diagonal(size);
     WhitenedBin white;
     for (std::size_t bin = chunk.first; bin < chunk.first + chunk.count; ++bin) {
-        whiten(trial, observation, o, predictions[o], data, bin, context.least_floor, white);
+        whiten(trial, observation, o, predictions[o], data, bin, context.least_floor, known_processes(context, o, bin), white);
         slope.log_likelihood += data.averages * white.log_likelihood;
         if (!std::isfinite(white.log_likelihood)) continue;
         for (std::size_t c = 0; c < size; ++c)  // the floor grows with the prediction
@@ -170,37 +172,6 @@ Predictions predict(const Trial& trial, const LikelihoodContext& context) {
     return predictions;
 }
 
-std::vector<PredictionDerivative> differentiate(const Trial& trial, const std::vector<Unknown>& unknowns,
-                                                const std::vector<double>& values, const Predictions& predictions,
-                                                const LikelihoodContext& context) {
-    const std::vector<Observation>& observations = *context.observations;
-    std::vector<PredictionDerivative> derivatives;
-    for (std::size_t u = 0; u < unknowns.size(); ++u)
-        for (std::size_t o = 0; o < observations.size(); ++o) {
-            if (!moves(unknowns[u], trial, observations[o], o)) continue;
-            derivatives.push_back({static_cast<int>(o), static_cast<int>(u), {}});
-        }
-    std::exception_ptr failure;
-#pragma omp parallel for schedule(dynamic, 1) num_threads(thread_count(context))
-    for (std::size_t d = 0; d < derivatives.size(); ++d) try {
-            PredictionDerivative& own = derivatives[d];
-            const std::size_t o = static_cast<std::size_t>(own.observation), u = static_cast<std::size_t>(own.unknown);
-            const Unknown& unknown = unknowns[u];
-            const double step = values[u] + unknown.step <= unknown.high ? unknown.step : -unknown.step;
-            Trial moved = trial;
-            unknown.set(moved, values[u] + step);
-            const ExpectedSpectra spectra = predict_one(moved, context, o, &predictions.caches[o], shared_with(trial, unknown));
-            own.values.resize(spectra.values.size());
-            for (std::size_t i = 0; i < spectra.values.size(); ++i)
-                own.values[i] = Complex((spectra.values[i] - predictions[o].values[i]) / step);
-        } catch (...) {
-#pragma omp critical(railpem_predict)
-            failure = std::current_exception();
-        }
-    if (failure) std::rethrow_exception(failure);
-    return derivatives;
-}
-
 double log_likelihood(const Trial& trial, const Predictions& predictions, const LikelihoodContext& context) {
     const std::vector<Observation>& observations = *context.observations;
     const std::vector<Chunk> chunks = chunks_of(observations);
@@ -211,13 +182,30 @@ double log_likelihood(const Trial& trial, const Predictions& predictions, const 
         const MeasuredSpectra& data = measured(observations[chunk.observation], context.part);
         WhitenedBin white;
         for (std::size_t bin = chunk.first; bin < chunk.first + chunk.count; ++bin) {
-            whiten(trial, observations[chunk.observation], chunk.observation, predictions[chunk.observation], data, bin, context.least_floor, white);
+            whiten(trial, observations[chunk.observation], chunk.observation, predictions[chunk.observation], data, bin, context.least_floor, known_processes(context, chunk.observation, bin), white);
             sums[i] += data.averages * white.log_likelihood;
         }
     }
     double sum = scalar_log_likelihood(trial, predictions, context);
     for (const double own : sums) sum += own;
     return std::isfinite(sum) ? sum : -std::numeric_limits<double>::infinity();
+}
+
+ProcessCounts process_counts(const Trial& trial, const Predictions& predictions, const LikelihoodContext& context) {
+    const std::vector<Observation>& observations = *context.observations;
+    ProcessCounts counts;
+    for (const Observation& observation : observations) counts.emplace_back(observation.scalar ? 0 : observation.bins(), 1.0);
+    const std::vector<Chunk> chunks = chunks_of(observations);
+#pragma omp parallel for schedule(dynamic, 1) num_threads(thread_count(context))
+    for (std::size_t i = 0; i < chunks.size(); ++i) {
+        const std::size_t o = chunks[i].observation;
+        WhitenedBin white;
+        for (std::size_t bin = chunks[i].first; bin < chunks[i].first + chunks[i].count && !observations[o].scalar; ++bin) {
+            whiten(trial, observations[o], o, predictions[o], measured(observations[o], context.part), bin, context.least_floor, 0.0, white);
+            counts[o][bin] = white.processes;
+        }
+    }
+    return counts;
 }
 
 namespace {

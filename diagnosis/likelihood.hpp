@@ -35,6 +35,9 @@ struct LikelihoodSlope {
     Eigen::MatrixXd information;   ///< Σ n tr(A_i A_j) (Fisher)
 };
 
+/// How many processes a bin looks like (WhitenedBin::processes), [observation][bin].
+using ProcessCounts = std::vector<std::vector<double>>;
+
 /// Everything that a likelihood is asked about.
 struct LikelihoodContext {
     const BelievedCase* believed = nullptr;
@@ -42,6 +45,7 @@ struct LikelihoodContext {
     Part part = Part::fitted;
     double least_floor = 0.0;  ///< relative; large values blunt the likelihood while a fit is far away
     int threads = 0;
+    const ProcessCounts* processes = nullptr;  ///< those of another trial; none: every trial's own
 };
 
 /// Prediction of one observation, `reuse` from the cache of a similar trial.
@@ -51,14 +55,12 @@ ExpectedSpectra predict_one(const Trial& trial, const LikelihoodContext& context
 /// Predictions of a trial; observations in parallel.
 Predictions predict(const Trial& trial, const LikelihoodContext& context);
 
-/// Numerical derivatives of the predictions with every unknown that moves them (not noise and floor).
-std::vector<PredictionDerivative> differentiate(const Trial& trial, const std::vector<Unknown>& unknowns,
-                                                const std::vector<double>& values, const Predictions& predictions,
-                                                const LikelihoodContext& context);
-
 /// Log-likelihood of averaged cross-spectra (complex Wishart; Yuen, Katafygiotis & Beck 2002) relative to the saturated
 /// model: −Σ n[log det S − log det Ŝ + tr(S⁻¹Ŝ) − p], S = prediction + noise + floor.
 double log_likelihood(const Trial& trial, const Predictions& predictions, const LikelihoodContext& context);
+
+/// The counts of a trial's own.
+ProcessCounts process_counts(const Trial& trial, const Predictions& predictions, const LikelihoodContext& context);
 
 /// The same with its slope. The sums are made in a fixed order, whatever the number of threads.
 LikelihoodSlope likelihood_slope(const Trial& trial, const std::vector<Unknown>& unknowns, const Predictions& predictions,

@@ -3,13 +3,15 @@
 #include <algorithm>
 #include <map>
 
+#include "diagnosis/correction_derivatives.hpp"
+
 namespace railpem::diagnosis {
 
 std::vector<LocatedEvidence> locate(const Fit& fit, const LikelihoodContext& context) {
     const std::vector<CorrectionPlace> places = correction_places(*context.believed, *context.observations);
     std::vector<std::vector<Unknown>> freedoms;
     for (const CorrectionPlace& place : places) freedoms.push_back(correction_unknowns(place, *context.observations));
-    const std::vector<FreedomPromise> promises = promises_of(fit, freedoms, context);
+    const std::vector<FreedomPromise> promises = promises_of(fit, freedoms, context, [&](std::size_t i) { return correction_derivatives(fit, places[i], context); });
     std::map<Element, LocatedEvidence> best;
     for (std::size_t i = 0; i < places.size(); ++i) {
         const auto found = best.find(places[i].element);

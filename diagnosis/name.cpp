@@ -62,17 +62,18 @@ class Search {
     void search() {
         say("retuning", 0.0);
         trials_.retune();
-        say("screening the catalogue", 0.15);
         CandidateList list = candidates(believed_, result_.retuned.fit.trial, *context_.observations);
         result_.not_tested = list.not_tested;
         for (const std::string& effect : options_.without) result_.not_tested.push_back({effect, "it was to be left out of the catalogue"});
         result_.candidates = std::move(list.candidates);
-        result_.first_promises = screened(result_.retuned.fit);
         if (is_distorted(result_.retuned.fit)) {
             blunt_search();
             if (trials_.names() && leaves_little()) return;
         }
-        if (result_.sets.empty()) first_round();
+        if (result_.sets.empty()) {
+            result_.first_promises = screened(result_.retuned.fit);
+            first_round();
+        }
         further_rounds(2);
         if (leaves_little()) return;
         if (left_over() < kMinor * (trials_.leading().score() - result_.retuned.score())) return;
@@ -100,6 +101,7 @@ class Search {
     /// The search for one or two effects with a blunt likelihood, in which the retuned case stays near what was believed. The best single is sharpened first: where it leaves little,
     /// the search goes on from it, and nothing else need be asked of the blunt. Otherwise from the best set, sharpened.
     void blunt_search() {
+        result_.retuned.fit.derivatives.reset();  // nothing starts from there
         LikelihoodContext blunt = context_;
         blunt.least_floor = kBluntSearch;
         NamingResult found;
@@ -142,6 +144,7 @@ class Search {
     }
 
     std::vector<Promise> screened(const Fit& fit) {
+        say("screening the catalogue", 0.65);
         add_combs(fit, context_, result_.candidates);
         add_delays(fit, context_, result_.candidates);
         std::erase_if(result_.candidates, [&](const Candidate& own) { return is_left_out(own.instance.effect); });

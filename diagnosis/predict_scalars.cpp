@@ -107,7 +107,7 @@ std::vector<Complex> channel_levels(pem::CaseParameters parameters, double speed
     pem::WheelTransfers own;
     if (reuse != Reuse::transfers) {
         std::vector<pem::RailGroup> rails;
-        if (reuse == Reuse::rail) rails = known->rails;
+        if (reuse == Reuse::rail || reuse == Reuse::motion) rails = known->rails;
         own = transfers_of(parameters, speed, observation, rails);
         if (filled) *filled = {std::move(rails), {}, own};
     }

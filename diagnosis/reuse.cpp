@@ -21,10 +21,16 @@ bool depends_on_level(const Trial& trial) {
 Reuse shared_with_element(const Trial& trial, Element element) {
     switch (element) {
         case Element::irregularity: return depends_on_level(trial) ? Reuse::rail : Reuse::transfers;
+        case Element::sensor: return depends_on_level(trial) ? Reuse::rail : Reuse::motion;
         case Element::pad:
         case Element::rail:
         case Element::support: return Reuse::nothing;
-        default: break;
+        case Element::contact:
+        case Element::primary:
+        case Element::secondary: return Reuse::rail;
+        case Element::body:
+        case Element::bogie:
+        case Element::wheel: break;
     }
     // The wheel load moves the pads where their stiffness follows it.
     const bool load_matters = trial.numbers.track.statics.wheel_load_n == 0.0 && load_stiffens_pads(trial);

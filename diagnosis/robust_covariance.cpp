@@ -38,7 +38,7 @@ double law_variance(const Unknown& unknown, double coordinate) {
 
 /// Σ g_b g_bᵀ + D⁻².
 Eigen::MatrixXd scatter_of(const Fit& fit, const LikelihoodContext& context) {
-    const auto derivatives = differentiate(fit.trial, fit.unknowns, fit.values, fit.predictions, context);
+    const auto derivatives = derivatives_of(fit, context);
     Eigen::MatrixXd scatter = Eigen::MatrixXd::Zero(fit.covariance.rows(), fit.covariance.cols());
     for (std::size_t u = 0; u < fit.unknowns.size(); ++u) scatter(static_cast<long>(u), static_cast<long>(u)) = 1.0 / (fit.unknowns[u].deviation * fit.unknowns[u].deviation);
     for (const Eigen::VectorXd& band : third_octaves(gradient_blocks(fit.trial, fit.unknowns, fit.predictions, derivatives, context))) scatter += band * band.transpose();

@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "diagnosis/shows.hpp"
 #include "parameters/parameter_error.hpp"
@@ -57,13 +58,14 @@ Eigen::MatrixXd curvature_of(const Fit& fit, const Eigen::MatrixXd& information)
 }  // namespace
 
 std::vector<Promise> screen(const Fit& fit, const std::vector<Candidate>& candidates, const LikelihoodContext& context) {
-    const std::vector<PredictionDerivative> nuisance = differentiate(fit.trial, fit.unknowns, fit.values, fit.predictions, context);
+    std::vector<PredictionDerivative> derivatives = derivatives_of(fit, context);  // those of the fit's own unknowns come first
+    const std::size_t nuisance = derivatives.size();
     const long own = static_cast<long>(fit.unknowns.size());
     std::vector<Promise> promises;
     for (std::size_t first = 0; first < candidates.size(); first += kBatch) {
         const std::size_t count = std::min(kBatch, candidates.size() - first);
-        std::vector<PredictionDerivative> derivatives = directions(fit, candidates, first, count, context);
-        derivatives.insert(derivatives.begin(), nuisance.begin(), nuisance.end());
+        derivatives.resize(nuisance);
+        for (PredictionDerivative& direction : directions(fit, candidates, first, count, context)) derivatives.push_back(std::move(direction));
         const LikelihoodSlope slope = likelihood_slope(fit.trial, with_placeholders(fit, count), fit.predictions, derivatives, context);
         const Eigen::LDLT<Eigen::MatrixXd> factor(curvature_of(fit, slope.information));
         const Eigen::MatrixXd cross = slope.information.topRightCorner(own, static_cast<long>(count));
@@ -109,19 +111,22 @@ FreedomPromise promise_from(const Fit& fit, const LikelihoodSlope& slope, const 
 
 }  // namespace
 
-std::vector<FreedomPromise> promises_of(const Fit& fit, const std::vector<std::vector<Unknown>>& freedoms, const LikelihoodContext& context) {
-    const std::vector<PredictionDerivative> nuisance = differentiate(fit.trial, fit.unknowns, fit.values, fit.predictions, context);
+std::vector<FreedomPromise> promises_of(const Fit& fit, const std::vector<std::vector<Unknown>>& freedoms, const LikelihoodContext& context, const FreedomDerivatives& given) {
+    std::vector<PredictionDerivative> derivatives = derivatives_of(fit, context);  // those of the fit's own unknowns come first
+    const std::size_t nuisance = derivatives.size();
     std::vector<FreedomPromise> promises;
     while (promises.size() < freedoms.size()) {  // several side by side: the fit's own columns are whitened once for all of them
         std::vector<Unknown> side_by_side, all = fit.unknowns;
         std::vector<long> first;
+        derivatives.resize(nuisance);
         for (std::size_t i = promises.size(); i < freedoms.size() && (first.empty() || side_by_side.size() + freedoms[i].size() <= kBatch); ++i) {
             first.push_back(static_cast<long>(all.size() + side_by_side.size()));
+            for (PredictionDerivative& derivative : given ? given(i) : differentiate(fit.trial, freedoms[i], means(freedoms[i]), fit.predictions, context)) {
+                derivative.unknown += static_cast<int>(first.back());
+                derivatives.push_back(std::move(derivative));
+            }
             side_by_side.insert(side_by_side.end(), freedoms[i].begin(), freedoms[i].end());
         }
-        std::vector<PredictionDerivative> derivatives = differentiate(fit.trial, side_by_side, means(side_by_side), fit.predictions, context);
-        for (PredictionDerivative& derivative : derivatives) derivative.unknown += static_cast<int>(fit.unknowns.size());
-        derivatives.insert(derivatives.begin(), nuisance.begin(), nuisance.end());
         all.insert(all.end(), side_by_side.begin(), side_by_side.end());
         const LikelihoodSlope slope = likelihood_slope(fit.trial, all, fit.predictions, derivatives, context);
         const Eigen::LDLT<Eigen::MatrixXd> factor(curvature_of(fit, slope.information));

@@ -28,8 +28,11 @@ struct FreedomPromise {
     Eigen::MatrixXd covariance;
     Eigen::VectorXd move;  ///< of the fit's unknowns that goes with them
 };
-/// One promise for each of the freedoms.
-std::vector<FreedomPromise> promises_of(const Fit& fit, const std::vector<std::vector<Unknown>>& freedoms, const LikelihoodContext& context);
+/// Derivatives of the predictions with the unknowns of a freedom, by its place among the freedoms; PredictionDerivative::unknown counts its own unknowns.
+using FreedomDerivatives = std::function<std::vector<PredictionDerivative>(std::size_t)>;
+
+/// One promise for each of the freedoms; without `derivatives` they are differences.
+std::vector<FreedomPromise> promises_of(const Fit& fit, const std::vector<std::vector<Unknown>>& freedoms, const LikelihoodContext& context, const FreedomDerivatives& derivatives = {});
 
 /// Gain of releasing one number of the fit from its tolerance (deviation → `wide`), to first order.
 double release_gain(const Fit& fit, std::size_t unknown, double wide);

@@ -37,7 +37,7 @@ std::string text_of(const std::vector<Candidate>& members, const std::vector<std
 }
 
 /// What other fits start from, without predictions and covariance.
-Fit values_of(const Fit& fit) { return {.trial = fit.trial, .unknowns = fit.unknowns, .values = fit.values}; }
+Fit values_of(const Fit& fit) { return {.trial = fit.trial, .unknowns = fit.unknowns, .values = fit.values, .derivatives = fit.derivatives}; }
 
 }  // namespace
 
@@ -73,7 +73,14 @@ const FittedSet& SetTrials::try_set(const Fit& near, std::vector<Candidate> memb
     fit_options.rival = &most_probable();
     FittedSet fitted = fit_set(believed_, near, std::move(members), std::move(released), {}, context_, fit_options);
     result_.sets.push_back(std::move(fitted));
+    let_go();
     return result_.sets.back();
+}
+
+void SetTrials::let_go() {
+    const FittedSet& kept = leading();
+    for (FittedSet& set : result_.sets)
+        if (&set != &kept) set.fit.derivatives.reset();
 }
 
 const FittedSet& SetTrials::try_starts(const Fit& near, const Starts& starts, std::vector<Candidate> members, std::vector<std::string> released, double share) {

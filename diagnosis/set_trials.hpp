@@ -55,6 +55,8 @@ class SetTrials {
     void sort();
 
   private:
+    /// The derivatives of all sets but the best, which other fits start from.
+    void let_go();
     void try_relatives(std::size_t index, double share);
     void refuse_noise(std::size_t index, const Fit& near, double share);
     const Fit& most_probable() const;

@@ -1,0 +1,231 @@
+#include "diagnosis/climb.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+#include "diagnosis/bounded_step.hpp"
+#include "parameters/parameter_error.hpp"
+
+namespace railpem::diagnosis {
+
+namespace {
+
+constexpr double kLeastDamping = 1e-9, kMostDamping = 1e6;
+constexpr double kLongestStep = 3.0;      ///< in deviations of the belief
+constexpr double kLongestLogStep = 1.0;   ///< of noise and floor: far below what shows, their slope promises anything
+constexpr int kSettleIterations = 3;      ///< of noise and floor alone, after every step
+constexpr double kWorthSettling = 2.0;    ///< nats promised by a step, after which noise and floor are settled
+constexpr double kWorthFinishing = 0.1;   ///< of the gain at which a climb ends: what an undamped step has to promise to be made
+constexpr double kHope = 3.0;             ///< times its promise, a fit may still climb
+constexpr double kPace = 12.0;            ///< or times what its last step brought: a ridge is climbed in many equal steps
+constexpr double kSurprise = 1.5;         ///< times what a step promised
+constexpr double kKept = 0.7;             ///< of what a step by carried derivatives promised, that it has to bring for them to be carried on; and the other way round
+constexpr int kMostCarried = 6;           ///< steps
+
+bool is_diagonal(const Unknown& unknown) { return unknown.kind == UnknownKind::noise || unknown.kind == UnknownKind::floor; }
+
+/// How far an unknown may move: to its bounds, and no further than its slope can be believed.
+std::pair<double, double> reach(const Unknown& unknown, double value) {
+    const double longest = is_diagonal(unknown) ? kLongestLogStep : kLongestStep * unknown.deviation;
+    return {std::max(unknown.low - value, -longest), std::min(unknown.high - value, longest)};
+}
+
+/// The damped step within the reach of every unknown. Cut off each by itself, unknowns that a step moves against each other would not belong together any more.
+Eigen::VectorXd damped_step(const Normal& normal, const State& state, const std::vector<Unknown>& unknowns, double damping) {
+    Eigen::MatrixXd matrix = normal.curvature;
+    matrix.diagonal() *= 1.0 + damping;
+    Eigen::VectorXd low(normal.gradient.size()), high(normal.gradient.size());
+    for (std::size_t i = 0; i < unknowns.size(); ++i) std::tie(low(static_cast<long>(i)), high(static_cast<long>(i))) = reach(unknowns[i], state.values[i]);
+    return bounded_step(matrix, normal.gradient, low, high);
+}
+
+std::vector<double> moved(const State& state, const Eigen::VectorXd& step) {
+    std::vector<double> values = state.values;
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] += step(static_cast<long>(i));
+    return values;
+}
+
+/// What the second-order picture expects of a step.
+double promise_of(const Normal& normal, const Eigen::VectorXd& step) { return step.dot(normal.gradient) - 0.5 * step.dot(normal.curvature * step); }
+
+void take(const std::vector<Unknown>& unknowns, const LikelihoodContext& context, const State& state, Slopes& slopes) {
+    slopes = {differentiate(state.trial, unknowns, state.values, state.predictions, context), 0, true};
+}
+
+/// The last step, undamped. Damping, in proportion to what the data say of each number alone, keeps a climb from moving all of them together: the common scale of vehicle
+/// and track, which only beliefs know, stayed where the climb had begun, a deviation off.
+void finish(const Trial& base, const std::vector<Unknown>& unknowns, const LikelihoodContext& context, double least_gain, Normal& normal, State& state, Slopes& slopes) {
+    const Eigen::VectorXd step = damped_step(normal, state, unknowns, 0.0);
+    if (promise_of(normal, step) < kWorthFinishing * least_gain) return;
+    State next = state_at(base, unknowns, moved(state, step), context);
+    if (!(next.log_posterior > state.log_posterior)) return;
+    state = std::move(next);
+    // Anew, not by the curvature: what is projected on it later has the same errors of differences, and they cancel.
+    take(unknowns, context, state, slopes);
+    normal = normal_equations(state, unknowns, slopes.values, context);
+}
+
+}  // namespace
+
+double log_belief(const std::vector<Unknown>& unknowns, const std::vector<double>& values) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < unknowns.size(); ++i) {
+        const double distance = (values[i] - unknowns[i].mean) / unknowns[i].deviation;
+        sum -= 0.5 * distance * distance;
+    }
+    return sum;
+}
+
+void weigh(const std::vector<Unknown>& unknowns, const LikelihoodContext& context, State& state) {
+    state.log_likelihood = log_likelihood(state.trial, state.predictions, context);
+    state.log_posterior = state.log_likelihood + log_belief(unknowns, state.values);
+}
+
+State state_at(const Trial& base, const std::vector<Unknown>& unknowns, std::vector<double> values, const LikelihoodContext& context) {
+    State state{.trial = base, .values = std::move(values), .predictions = {}};
+    try {
+        set_values(state.trial, unknowns, state.values);
+        state.predictions = predict(state.trial, context);
+    } catch (const parameters::ParameterError&) {
+        return state;
+    }
+    weigh(unknowns, context, state);
+    return state;
+}
+
+Normal normal_equations(const State& state, const std::vector<Unknown>& unknowns, const std::vector<PredictionDerivative>& derivatives, const LikelihoodContext& context) {
+    const LikelihoodSlope slope = likelihood_slope(state.trial, unknowns, state.predictions, derivatives, context);
+    Normal normal{.gradient = slope.gradient, .curvature = slope.information, .information = slope.information};
+    for (std::size_t i = 0; i < unknowns.size(); ++i) {
+        const double weight = 1.0 / (unknowns[i].deviation * unknowns[i].deviation);
+        normal.gradient(static_cast<long>(i)) -= weight * (state.values[i] - unknowns[i].mean);
+        normal.curvature(static_cast<long>(i), static_cast<long>(i)) += weight;
+    }
+    return normal;
+}
+
+void settle(const std::vector<Unknown>& unknowns, const LikelihoodContext& context, State& state) {
+    for (int i = 0; i < kSettleIterations; ++i) {
+        Normal normal = normal_equations(state, unknowns, {}, context);
+        for (std::size_t u = 0; u < unknowns.size(); ++u)
+            if (!is_diagonal(unknowns[u])) normal.gradient(static_cast<long>(u)) = 0.0;
+        const Eigen::VectorXd step = damped_step(normal, state, unknowns, 0.0);
+        if (promise_of(normal, step) < kWorthSettling) return;
+        std::vector<double> values = moved(state, step);
+        Trial trial = state.trial;
+        set_values(trial, unknowns, values);
+        const double own = log_likelihood(trial, state.predictions, context), posterior = own + log_belief(unknowns, values);
+        if (!(posterior > state.log_posterior)) return;
+        state.trial = std::move(trial);
+        state.values = std::move(values);
+        state.log_likelihood = own;
+        state.log_posterior = posterior;
+    }
+}
+
+namespace {
+
+class Climb {
+  public:
+    Climb(const Trial& base, const std::vector<Unknown>& unknowns, const LikelihoodContext& context, const ClimbOptions& options, double& damping, State& state, Slopes& slopes, int& iterations)
+        : base_(base), unknowns_(unknowns), context_(context), held_(context), options_(options), damping_(damping), state_(state), slopes_(slopes), iterations_(iterations) {}
+
+    End run(Normal& last) {
+        const std::optional<End> end = steps(last);
+        weigh(unknowns_, context_, state_);
+        return end.value_or(End::tired);
+    }
+
+  private:
+    /// The likelihood with the processes of every bin as the state has them: its slope takes them as given, and a likelihood in which they move has its top elsewhere. Promises of 15 nats
+    /// were not kept where a law is an approximation.
+    void hold() {
+        held_.processes = nullptr;
+        counts_ = process_counts(state_.trial, state_.predictions, held_);
+        held_.processes = &counts_;
+        weigh(unknowns_, held_, state_);
+    }
+
+    std::optional<End> steps(Normal& last) {
+        hold();
+        for (int taken = 0; taken < options_.most || slopes_.trusted;) {
+            if (options_.between) options_.between();
+            if (!slopes_.trusted) {
+                if (taken > 0) hold();
+                take(unknowns_, held_, state_, slopes_);
+                ++taken;
+                ++iterations_;
+            }
+            Normal normal = normal_equations(state_, unknowns_, slopes_.values, held_);
+            const std::optional<End> end = step(normal);
+            if (end == End::top && options_.sharp) {
+                finish(base_, unknowns_, held_, options_.least_gain, normal, state_, slopes_);
+                last = std::move(normal);
+            }
+            if (end) return end;
+        }
+        return {};
+    }
+
+    /// One step up, as short as it has to be; none: slopes that were carried here are not to be trusted. How the climb ends, if it does.
+    std::optional<End> step(const Normal& normal) {
+        for (; damping_ < kMostDamping; damping_ = std::max(10.0 * damping_, kFirstDamping)) {
+            const Eigen::VectorXd move = damped_step(normal, state_, unknowns_, damping_);
+            const double promise = promise_of(normal, move);
+            // Only where the last step brought no more than it promised: a climb that surprises has not said yet how high it goes.
+            const double room = options_.sharp ? kHopeless : kHopelessBlunt;
+            if (gained_ < kSurprise * promised_ && state_.log_posterior + std::max(kHope * promise, kPace * gained_) + room < options_.rival) return End::hopeless;
+            // Little is promised, or the last step brought next to nothing of it.
+            if (promise < options_.least_gain || (promise < kWorthSettling && gained_ < options_.least_gain)) {
+                if (slopes_.carried == 0 || !options_.sharp) return End::top;
+                slopes_.trusted = false;  // a top is seen with slopes of its own
+                return {};
+            }
+            State next = state_at(base_, unknowns_, moved(state_, move), held_);
+            const double gain = next.log_posterior - state_.log_posterior;
+            if (gain > 0.0) return accept(std::move(next), promise, gain), std::nullopt;
+            if (slopes_.carried > 0) {
+                slopes_.trusted = false;
+                return {};
+            }
+            if (promise < kWorthSettling && gain > -options_.least_gain) gained_ = 0.0;
+        }
+        damping_ = kFirstDamping;
+        return End::tired;
+    }
+
+    void accept(State next, double promise, double gain) {
+        gained_ = gain;
+        promised_ = promise;
+        damping_ = std::max(damping_ / 10.0, kLeastDamping);
+        carry(slopes_.values, state_.predictions.spectra, next.predictions.spectra);
+        slopes_.trusted = gain > kKept * promise && kKept * gain < promise && ++slopes_.carried < kMostCarried;
+        state_ = std::move(next);
+        if (promise > kWorthSettling) settle(unknowns_, held_, state_);
+    }
+
+    const Trial& base_;
+    const std::vector<Unknown>& unknowns_;
+    const LikelihoodContext& context_;
+    LikelihoodContext held_;
+    ProcessCounts counts_;
+    const ClimbOptions& options_;
+    double& damping_;
+    State& state_;
+    Slopes& slopes_;
+    int& iterations_;
+    double gained_ = std::numeric_limits<double>::infinity(), promised_ = 0.0;  ///< by the last step
+};
+
+}  // namespace
+
+End climb(const Trial& base, const std::vector<Unknown>& unknowns, const LikelihoodContext& context, const ClimbOptions& options, double& damping, State& state, Slopes& slopes,
+          int& iterations, Normal& last) {
+    return Climb(base, unknowns, context, options, damping, state, slopes, iterations).run(last);
+}
+
+}  // namespace railpem::diagnosis

@@ -1,0 +1,99 @@
+#include "diagnosis/derivatives.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <map>
+
+#include "pem/threads.hpp"
+
+namespace railpem::diagnosis {
+
+namespace {
+
+/// √ of how the power of every channel changed, bin after bin; 1 where there was none.
+std::vector<double> amplitude_ratios(const ExpectedSpectra& from, const ExpectedSpectra& to) {
+    const std::size_t size = from.channels;
+    std::vector<double> ratios(from.bins() * size, 1.0);
+    for (std::size_t b = 0; b < from.bins(); ++b)
+        for (std::size_t c = 0; c < size; ++c) {
+            const std::size_t at = b * size * size + c * (size + 1);
+            const double before = from.values[at].real(), now = to.values[at].real();
+            if (before > 0.0 && now > 0.0) ratios[b * size + c] = std::sqrt(now / before);
+        }
+    return ratios;
+}
+
+bool is_of_retuning(const Unknown& unknown) { return unknown.kind != UnknownKind::effect && unknown.kind != UnknownKind::correction; }
+
+}  // namespace
+
+std::vector<PredictionDerivative> differentiate(const Trial& trial, const std::vector<Unknown>& unknowns, const std::vector<double>& values, const Predictions& predictions,
+                                                const LikelihoodContext& context) {
+    const std::vector<Observation>& observations = *context.observations;
+    std::vector<PredictionDerivative> derivatives;
+    for (std::size_t u = 0; u < unknowns.size(); ++u)
+        for (std::size_t o = 0; o < observations.size(); ++o)
+            if (moves(unknowns[u], trial, observations[o], o)) derivatives.push_back({static_cast<int>(o), static_cast<int>(u), {}});
+    std::exception_ptr failure;
+#pragma omp parallel for schedule(dynamic, 1) num_threads(pem::thread_count(context.threads))
+    for (std::size_t d = 0; d < derivatives.size(); ++d) try {
+            PredictionDerivative& own = derivatives[d];
+            const std::size_t o = static_cast<std::size_t>(own.observation), u = static_cast<std::size_t>(own.unknown);
+            const Unknown& unknown = unknowns[u];
+            const double step = values[u] + unknown.step <= unknown.high ? unknown.step : -unknown.step;
+            Trial moved = trial;
+            unknown.set(moved, values[u] + step);
+            const ExpectedSpectra spectra = predict_one(moved, context, o, &predictions.caches[o], shared_with(trial, unknown));
+            own.values.resize(spectra.values.size());
+            for (std::size_t i = 0; i < spectra.values.size(); ++i) own.values[i] = (spectra.values[i] - predictions[o].values[i]) / step;
+        } catch (...) {
+#pragma omp critical(railpem_predict)
+            failure = std::current_exception();
+        }
+    if (failure) std::rethrow_exception(failure);
+    return derivatives;
+}
+
+void carry(std::vector<PredictionDerivative>& derivatives, const std::vector<ExpectedSpectra>& from, const std::vector<ExpectedSpectra>& to) {
+    std::vector<std::vector<double>> ratios;
+    for (std::size_t o = 0; o < from.size(); ++o) ratios.push_back(amplitude_ratios(from[o], to[o]));
+    for (PredictionDerivative& own : derivatives) {
+        const std::vector<double>& ratio = ratios[static_cast<std::size_t>(own.observation)];
+        const std::size_t size = from[static_cast<std::size_t>(own.observation)].channels;
+        if (size == 0 || own.values.empty()) continue;
+        for (std::size_t b = 0; b * size < ratio.size(); ++b)
+            for (std::size_t j = 0; j < size; ++j)
+                for (std::size_t i = 0; i < size; ++i) own.values[(b * size + j) * size + i] *= ratio[b * size + i] * ratio[b * size + j];
+    }
+}
+
+std::vector<PredictionDerivative> derivatives_near(const Derivatives& known, const Trial& trial, const std::vector<Unknown>& unknowns, const std::vector<double>& values,
+                                                   const Predictions& predictions, const LikelihoodContext& context) {
+    std::map<std::string, std::vector<const PredictionDerivative*>> of_name;
+    for (const std::string& name : known.names) of_name[name];
+    for (const PredictionDerivative& own : known.values) of_name[known.names[static_cast<std::size_t>(own.unknown)]].push_back(&own);
+    std::vector<PredictionDerivative> result;
+    std::vector<Unknown> others;
+    std::vector<double> other_values;
+    std::vector<int> other_places;
+    for (std::size_t u = 0; u < unknowns.size(); ++u) {
+        const auto found = is_of_retuning(unknowns[u]) ? of_name.find(unknowns[u].name) : of_name.end();
+        if (found == of_name.end()) {
+            others.push_back(unknowns[u]);
+            other_values.push_back(values[u]);
+            other_places.push_back(static_cast<int>(u));
+            continue;
+        }
+        for (const PredictionDerivative* own : found->second) result.push_back({own->observation, static_cast<int>(u), own->values});
+    }
+    carry(result, known.at, predictions.spectra);
+    for (PredictionDerivative& own : differentiate(trial, others, other_values, predictions, context)) {
+        own.unknown = other_places[static_cast<std::size_t>(own.unknown)];
+        result.push_back(std::move(own));
+    }
+    std::stable_sort(result.begin(), result.end(), [](const PredictionDerivative& a, const PredictionDerivative& b) { return a.unknown < b.unknown; });
+    return result;
+}
+
+}  // namespace railpem::diagnosis
