@@ -5,6 +5,8 @@
 #include <exception>
 #include <map>
 
+#include "diagnosis/irregularity_derivatives.hpp"
+#include "diagnosis/reuse.hpp"
 #include "pem/threads.hpp"
 
 namespace railpem::diagnosis {
@@ -24,29 +26,59 @@ std::vector<double> amplitude_ratios(const ExpectedSpectra& from, const Expected
     return ratios;
 }
 
+void difference(const Trial& trial, const std::vector<Unknown>& unknowns, const std::vector<double>& values, const Predictions& predictions, const LikelihoodContext& context,
+                PredictionDerivative& own) {
+    const std::size_t o = static_cast<std::size_t>(own.observation), u = static_cast<std::size_t>(own.unknown);
+    const Unknown& unknown = unknowns[u];
+    const double step = values[u] + unknown.step <= unknown.high ? unknown.step : -unknown.step;
+    Trial moved = trial;
+    unknown.set(moved, values[u] + step);
+    const ExpectedSpectra spectra = predict_like(predictions, moved, context, o, shared_with(trial, unknown));
+    own.values.resize(spectra.values.size());
+    for (std::size_t i = 0; i < spectra.values.size(); ++i) own.values[i] = (spectra.values[i] - predictions[o].values[i]) / step;
+}
+
+/// The irregularity's, of one observation.
+void fill_together(const Trial& trial, const std::vector<Unknown>& unknowns, const Predictions& predictions, const LikelihoodContext& context, const std::vector<std::size_t>& task,
+                   std::vector<PredictionDerivative>& derivatives) {
+    std::vector<const Unknown*> nodes;
+    for (const std::size_t d : task) nodes.push_back(&unknowns[static_cast<std::size_t>(derivatives[d].unknown)]);
+    std::vector<std::vector<std::complex<double>>> values = irregularity_derivatives(trial, nodes, context, static_cast<std::size_t>(derivatives[task.front()].observation), predictions);
+    for (std::size_t i = 0; i < task.size(); ++i) derivatives[task[i]].values = std::move(values[i]);
+}
+
+/// The derivatives that there are, still empty, and which of them are taken together: the irregularity's of an observation where they can be (first: they take longest), each of the others
+/// by itself.
+std::vector<std::vector<std::size_t>> tasks_of(const Trial& trial, const std::vector<Unknown>& unknowns, const Predictions& predictions, const LikelihoodContext& context,
+                                               std::vector<PredictionDerivative>& derivatives) {
+    const std::vector<Observation>& observations = *context.observations;
+    std::vector<bool> together;
+    for (std::size_t o = 0; o < observations.size(); ++o) together.push_back(has_irregularity_derivatives(trial, context, o, predictions));
+    std::vector<std::vector<std::size_t>> tasks(observations.size());
+    for (std::size_t u = 0; u < unknowns.size(); ++u)
+        for (std::size_t o = 0; o < observations.size(); ++o) {
+            if (!moves(unknowns[u], trial, observations[o], o)) continue;
+            if (together[o] && unknowns[u].kind == UnknownKind::irregularity) tasks[o].push_back(derivatives.size());
+            else tasks.push_back({derivatives.size()});
+            derivatives.push_back({static_cast<int>(o), static_cast<int>(u), {}});
+        }
+    std::erase_if(tasks, [](const std::vector<std::size_t>& task) { return task.empty(); });
+    return tasks;
+}
+
 bool is_of_retuning(const Unknown& unknown) { return unknown.kind != UnknownKind::effect && unknown.kind != UnknownKind::correction; }
 
 }  // namespace
 
 std::vector<PredictionDerivative> differentiate(const Trial& trial, const std::vector<Unknown>& unknowns, const std::vector<double>& values, const Predictions& predictions,
                                                 const LikelihoodContext& context) {
-    const std::vector<Observation>& observations = *context.observations;
     std::vector<PredictionDerivative> derivatives;
-    for (std::size_t u = 0; u < unknowns.size(); ++u)
-        for (std::size_t o = 0; o < observations.size(); ++o)
-            if (moves(unknowns[u], trial, observations[o], o)) derivatives.push_back({static_cast<int>(o), static_cast<int>(u), {}});
+    const std::vector<std::vector<std::size_t>> tasks = tasks_of(trial, unknowns, predictions, context, derivatives);
     std::exception_ptr failure;
 #pragma omp parallel for schedule(dynamic, 1) num_threads(pem::thread_count(context.threads))
-    for (std::size_t d = 0; d < derivatives.size(); ++d) try {
-            PredictionDerivative& own = derivatives[d];
-            const std::size_t o = static_cast<std::size_t>(own.observation), u = static_cast<std::size_t>(own.unknown);
-            const Unknown& unknown = unknowns[u];
-            const double step = values[u] + unknown.step <= unknown.high ? unknown.step : -unknown.step;
-            Trial moved = trial;
-            unknown.set(moved, values[u] + step);
-            const ExpectedSpectra spectra = predict_one(moved, context, o, &predictions.caches[o], shared_with(trial, unknown));
-            own.values.resize(spectra.values.size());
-            for (std::size_t i = 0; i < spectra.values.size(); ++i) own.values[i] = (spectra.values[i] - predictions[o].values[i]) / step;
+    for (std::size_t t = 0; t < tasks.size(); ++t) try {
+            if (tasks[t].size() > 1) fill_together(trial, unknowns, predictions, context, tasks[t], derivatives);
+            else difference(trial, unknowns, values, predictions, context, derivatives[tasks[t].front()]);
         } catch (...) {
 #pragma omp critical(railpem_predict)
             failure = std::current_exception();

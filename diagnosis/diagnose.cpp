@@ -61,6 +61,7 @@ class Diagnosing {
         const std::vector<LocatedEvidence>& ranked = naming_.left_by_retuned;
         study_.at_retuned = evidence(ranked);
         study_.by_retuned = missed_by(naming_.retuned.fit, context_);
+        if (!naming_.sets.empty()) restore_caches(naming_.sets.front().fit, context_);
         if (!naming_.sets.empty()) study_.by_named = missed_by(naming_.sets.front().fit, context_);
         if (!naming_.sets.empty() && naming_.sets.front().score() > naming_.retuned.score() + options_.thresholds.least_gain)
             study_.at_named = evidence(naming_.left_by_best.empty() ? locate(naming_.sets.front().fit, context_) : naming_.left_by_best);

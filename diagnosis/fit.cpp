@@ -34,7 +34,7 @@ State with_width(const Trial& base, const std::vector<Unknown>& unknowns, const 
     next.predictions.spectra = state.predictions.spectra;
     for (std::size_t o = 0; o < next.predictions.spectra.size(); ++o)
         if (moves(unknowns[width], next.trial, (*context.observations)[o], o))
-            next.predictions.spectra[o] = predict_one(next.trial, context, o, &state.predictions.caches[o], Reuse::transfers);
+            next.predictions.spectra[o] = predict_like(state.predictions, next.trial, context, o, Reuse::transfers);
     weigh(unknowns, context, next);
     return next;
 }
@@ -84,6 +84,10 @@ double log_posterior_at(const Trial& base, const std::vector<Unknown>& unknowns,
 
 std::vector<PredictionDerivative> derivatives_of(const Fit& fit, const LikelihoodContext& context) {
     return fit.derivatives ? fit.derivatives->values : differentiate(fit.trial, fit.unknowns, fit.values, fit.predictions, context);
+}
+
+void restore_caches(Fit& fit, const LikelihoodContext& context) {
+    if (fit.predictions.caches.empty() && !fit.predictions.spectra.empty()) fit.predictions.caches = predict(fit.trial, context).caches;
 }
 
 std::vector<double> means(const std::vector<Unknown>& unknowns) {

@@ -54,6 +54,9 @@ Fit fit(const Trial& base, std::vector<Unknown> unknowns, std::vector<double> st
 /// Derivatives at a fit's values: its own, or taken anew where it has none.
 std::vector<PredictionDerivative> derivatives_of(const Fit& fit, const LikelihoodContext& context);
 
+/// Fills the caches of a fit's predictions again where they were let go: combs are sought in its transfers, and many derivatives there would each solve the rail.
+void restore_caches(Fit& fit, const LikelihoodContext& context);
+
 /// Means of the unknowns' beliefs.
 std::vector<double> means(const std::vector<Unknown>& unknowns);
 

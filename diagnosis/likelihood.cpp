@@ -157,6 +157,10 @@ ExpectedSpectra predict_one(const Trial& trial, const LikelihoodContext& context
     return result;
 }
 
+ExpectedSpectra predict_like(const Predictions& similar, const Trial& trial, const LikelihoodContext& context, std::size_t o, Reuse reuse) {
+    return similar.caches.empty() ? predict_one(trial, context, o) : predict_one(trial, context, o, &similar.caches[o], reuse);
+}
+
 Predictions predict(const Trial& trial, const LikelihoodContext& context) {
     const std::vector<Observation>& observations = *context.observations;
     Predictions predictions{std::vector<ExpectedSpectra>(observations.size()), std::vector<ExpectationCache>(observations.size())};

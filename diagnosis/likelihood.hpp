@@ -17,7 +17,7 @@ enum class Part { fitted, held_out, all };
 /// ExpectedSpectra::values are its predict_scalars() with the gains of the trial, without channels.
 struct Predictions {
     std::vector<ExpectedSpectra> spectra;
-    std::vector<ExpectationCache> caches;
+    std::vector<ExpectationCache> caches;  ///< what predictions of similar trials may reuse; none where it was let go (ten megabytes for a recording)
     const ExpectedSpectra& operator[](std::size_t observation) const { return spectra[observation]; }
 };
 
@@ -54,6 +54,9 @@ ExpectedSpectra predict_one(const Trial& trial, const LikelihoodContext& context
 
 /// Predictions of a trial; observations in parallel.
 Predictions predict(const Trial& trial, const LikelihoodContext& context);
+
+/// The same from what the predictions of a similar trial may share, as far as they have it.
+ExpectedSpectra predict_like(const Predictions& similar, const Trial& trial, const LikelihoodContext& context, std::size_t observation, Reuse reuse);
 
 /// Log-likelihood of averaged cross-spectra (complex Wishart; Yuen, Katafygiotis & Beck 2002) relative to the saturated
 /// model: −Σ n[log det S − log det Ŝ + tr(S⁻¹Ŝ) − p], S = prediction + noise + floor.

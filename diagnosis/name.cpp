@@ -246,7 +246,8 @@ class Search {
         if (!base || base->score() < smaller + options_.least_gain) return false;
         if (extended_[members] == base->score()) return false;  // tried already, to no avail
         extended_[members] = base->score();
-        const FittedSet from = *base;
+        FittedSet from = *base;
+        restore_caches(from.fit, context_);
         const double share = 0.65 + 0.1 * (members - 2);
         const std::vector<Promise> promises = screened(from.fit);
         // Beside a law that is an approximation the rest of its own imitates much.

@@ -53,7 +53,8 @@ Reuse shared_with(const Trial& trial, const Unknown& unknown) {
 }
 
 Reuse shared_with(const Trial& trial, const EffectInstance& effect) {
-    return shared_with_element(trial, element_of(*find_effect(effect.effect), effect));
+    const Effect& own = *find_effect(effect.effect);
+    return shared_with_element(trial, own.excites ? Element::irregularity : element_of(own, effect));
 }
 
 bool moves(const Unknown& unknown, const Trial& trial, const Observation& observation, std::size_t o) {

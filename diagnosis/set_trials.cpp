@@ -79,8 +79,11 @@ const FittedSet& SetTrials::try_set(const Fit& near, std::vector<Candidate> memb
 
 void SetTrials::let_go() {
     const FittedSet& kept = leading();
-    for (FittedSet& set : result_.sets)
-        if (&set != &kept) set.fit.derivatives.reset();
+    for (FittedSet& set : result_.sets) {
+        if (&set == &kept) continue;
+        set.fit.derivatives.reset();
+        if (&set != best(set.members())) set.fit.predictions.caches = {};
+    }
 }
 
 const FittedSet& SetTrials::try_starts(const Fit& near, const Starts& starts, std::vector<Candidate> members, std::vector<std::string> released, double share) {

@@ -1,6 +1,7 @@
 #include "diagnosis/source_spectra.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "pem/excitation.hpp"
@@ -13,16 +14,45 @@ using Complex = std::complex<double>;
 
 namespace {
 
-/// Power of a source at a fine line: at the line itself, or the mean over its cell where a band of the irregularity begins
-/// or ends in it. Paired bands may differ 16-fold at their edge; without this the expectation would jump whenever a change
-/// of speed carries the edge over a line, by tens of nats, and no fit could pass.
-double power_at_line(const pem::DelayedSpectrum& source, double frequency, double step, double at_low, double at_high) {
-    constexpr double kSuspicious = 1.2;  ///< ratio over a cell that deserves a look
+constexpr double kSuspicious = 1.2;  ///< ratio over a cell that deserves a look
+
+bool differ(double a, double b, double ratio) { return std::max(a, b) > ratio * std::min(a, b); }
+
+/// Delays of the wheels along the fine grid: each line's from that of the line before, taken anew often enough for rounding not to add up.
+class DelayPhases {
+  public:
+    DelayPhases(const std::vector<double>& wheels_m, double speed_m_per_s, const FineGrid& grid) : wheels_(wheels_m), speed_(speed_m_per_s), grid_(grid) {
+        for (std::size_t j = 0; j < 4; ++j) turn_[j] = pem::delay_phase(wheels_, j, grid.step_hz, speed_);
+    }
+
+    /// Those of line `i`; lines one after the other, none left out.
+    const std::array<Complex, 4>& at(std::size_t i) {
+        constexpr std::size_t kAnew = 32;  ///< lines: 32 roundings are some 1e-15
+        for (std::size_t j = 0; j < 4; ++j) {
+            const Complex& p = phase_[j];
+            const Complex& t = turn_[j];
+            phase_[j] = i % kAnew == 0 ? pem::delay_phase(wheels_, j, grid_.frequency(i), speed_) : Complex(p.real() * t.real() - p.imag() * t.imag(), p.real() * t.imag() + p.imag() * t.real());
+        }
+        return phase_;
+    }
+
+  private:
+    const std::vector<double>& wheels_;
+    double speed_;
+    FineGrid grid_;
+    std::array<Complex, 4> turn_{}, phase_{};
+};
+
+}  // namespace
+
+// Paired bands may differ 16-fold at their edge; without this the expectation would jump whenever a change of speed carries the edge over a line, by tens of nats, and no
+// fit could pass.
+double power_over_cell(const pem::DelayedSpectrum& source, double frequency, double step, double centre) {
     constexpr double kJump = 1.01;       ///< ratio over next to nothing that no smooth spectrum has
-    const auto differ = [](double a, double b, double ratio) { return std::max(a, b) > ratio * std::min(a, b); };
-    const double centre = source.psd_m2_per_hz(frequency);
+    double low = frequency - 0.5 * step, high = frequency + 0.5 * step;
+    const double at_low = source.psd_m2_per_hz(low), at_high = source.psd_m2_per_hz(high);
+    double below = at_low, above = at_high;
     if (!differ(at_low, at_high, kSuspicious)) return centre;
-    double low = frequency - 0.5 * step, high = frequency + 0.5 * step, below = at_low, above = at_high;
     for (int i = 0; i < 50; ++i) {
         const double middle = 0.5 * (low + high), own = source.psd_m2_per_hz(middle);
         const bool upper = std::abs(std::log((own + 1e-300) / (below + 1e-300))) < std::abs(std::log((own + 1e-300) / (above + 1e-300)));
@@ -34,23 +64,42 @@ double power_at_line(const pem::DelayedSpectrum& source, double frequency, doubl
     return share * 0.5 * (at_low + below) + (1.0 - share) * 0.5 * (above + at_high);
 }
 
-}  // namespace
+// An edge within a cell stands out between the line and one of its neighbours, too, by as much.
+std::vector<double> powers_at_lines(const pem::DelayedSpectrum& source, const FineGrid& grid) {
+    constexpr double kLook = 1.1;  ///< ratio between neighbours, well below kSuspicious
+    std::vector<double> at_line(grid.count), power(grid.count);
+    for (std::size_t i = 0; i < grid.count; ++i) at_line[i] = source.psd_m2_per_hz(grid.frequency(i));
+    for (std::size_t i = 0; i < grid.count; ++i) {
+        const double own = at_line[i];
+        const bool look = i == 0 || i + 1 == grid.count || differ(at_line[i - 1], own, kLook) || differ(own, at_line[i + 1], kLook);
+        power[i] = look ? power_over_cell(source, grid.frequency(i), grid.step_hz, own) : own;
+    }
+    return power;
+}
+
+FineGrid fine_grid(const recordings::WindowKernel& kernel, std::size_t first_bin, std::size_t bins, int oversampling) {
+    const std::size_t reach = static_cast<std::size_t>(kReachBins) * static_cast<std::size_t>(oversampling);
+    const std::size_t low = first_bin * static_cast<std::size_t>(oversampling);
+    const std::size_t first = low > reach ? low - reach : 1;
+    const std::size_t last = (first_bin + bins - 1) * static_cast<std::size_t>(oversampling) + reach;
+    return {kernel.bin_hz() / oversampling, first, last - first + 1};
+}
 
 std::vector<Complex> fine_responses(const pem::WheelTransfers& transfers, const pem::DelayedSpectrum& source,
                                     const std::vector<double>& wheels, double speed, const FineGrid& grid) {
     const std::size_t channels = transfers.responses.size();
     std::vector<Complex> y(channels * grid.count), at(channels * 4);
-    double at_low = source.psd_m2_per_hz(grid.frequency(0) - 0.5 * grid.step_hz);
+    const std::vector<double> power = powers_at_lines(source, grid);
+    DelayPhases delays(wheels, speed, grid);
     for (std::size_t i = 0; i < grid.count; ++i) {
-        const double f = grid.frequency(i), at_high = source.psd_m2_per_hz(f + 0.5 * grid.step_hz);
-        const double root = std::sqrt(power_at_line(source, f, grid.step_hz, at_low, at_high));
-        at_low = at_high;
+        const double f = grid.frequency(i), root = std::sqrt(power[i]);
+        const std::array<Complex, 4>& delay = delays.at(i);
         if (root == 0.0) continue;
         pem::interpolate(transfers, f, at.data());
         Complex e[4];
         if (source.under_wheels) std::ranges::copy(source.under_wheels(f), e);
         else
-            for (std::size_t j = 0; j < 4; ++j) e[j] = root * source.share[j] * pem::delay_phase(wheels, j, f, speed);
+            for (std::size_t j = 0; j < 4; ++j) e[j] = root * source.share[j] * delay[j];
         for (std::size_t c = 0; c < channels; ++c) {
             double re = 0.0, im = 0.0;  // plain products: no check for infinities in the inner loop
             for (std::size_t j = 0; j < 4; ++j) {
@@ -87,21 +136,29 @@ pem::WheelTransfers with_what_comes_back(const pem::WheelTransfers& transfers, c
     return result;
 }
 
-void add_felt(const pem::WheelTransfers& transfers, const std::vector<pem::FeltOrder>& felt, const pem::DelayedSpectrum& source, const std::vector<double>& wheels, double speed,
-              double bin_hz, ExpectedSpectra& expected) {
+void for_each_felt(const pem::WheelTransfers& transfers, const std::vector<pem::FeltOrder>& felt, const pem::DelayedSpectrum& source, const std::vector<double>& wheels, double speed,
+                   double bin_hz, const ExpectedSpectra& expected, const std::function<void(std::size_t, double, const std::vector<Complex>&)>& take) {
     const std::size_t size = expected.channels;
     std::vector<Complex> at(size * 4), y(size);
     for (std::size_t b = 0; b < expected.bins() && felt.size() > 1; ++b) {
         const double f = static_cast<double>(expected.first_bin + b) * bin_hz;
         pem::interpolate(transfers, f, at.data());
-        Complex* power = expected.values.data() + b * size * size;
         for (std::size_t order = 1; order < felt.size(); ++order) {
             const std::array<Complex, 4> e = pem::felt_irregularity(felt, order, source, wheels, speed, f);
             for (std::size_t c = 0; c < size; ++c) y[c] = at[c * 4] * e[0] + at[c * 4 + 1] * e[1] + at[c * 4 + 2] * e[2] + at[c * 4 + 3] * e[3];
-            for (std::size_t j = 0; j < size; ++j)
-                for (std::size_t i = 0; i < size; ++i) power[j * size + i] += y[i] * std::conj(y[j]);
+            take(b, std::abs(f - felt[order].shift_hz), y);
         }
     }
+}
+
+void add_felt(const pem::WheelTransfers& transfers, const std::vector<pem::FeltOrder>& felt, const pem::DelayedSpectrum& source, const std::vector<double>& wheels, double speed,
+              double bin_hz, ExpectedSpectra& expected) {
+    const std::size_t size = expected.channels;
+    for_each_felt(transfers, felt, source, wheels, speed, bin_hz, expected, [&](std::size_t b, double, const std::vector<Complex>& y) {
+        Complex* power = expected.values.data() + b * size * size;
+        for (std::size_t j = 0; j < size; ++j)
+            for (std::size_t i = 0; i < size; ++i) power[j * size + i] += y[i] * std::conj(y[j]);
+    });
 }
 
 void add_lines(const pem::CaseParameters& parameters, const pem::WheelTransfers& transfers, const pem::LineSet& set,

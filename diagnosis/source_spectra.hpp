@@ -2,6 +2,7 @@
 // What each kind of source gives to the expected spectra, from transfers that are known.
 
 #include <complex>
+#include <functional>
 #include <vector>
 
 #include "diagnosis/expected_spectra.hpp"
@@ -18,6 +19,15 @@ struct FineGrid {
     double frequency(std::size_t i) const { return static_cast<double>(first + i) * step_hz; }
 };
 
+/// The fine lines that count for `bins` bins from `first_bin` on.
+FineGrid fine_grid(const recordings::WindowKernel& kernel, std::size_t first_bin, std::size_t bins, int oversampling);
+
+/// Power of a source at a fine line where its spectrum is `centre`: that, or the mean over the line's cell where a band of the irregularity begins or ends in it.
+double power_over_cell(const pem::DelayedSpectrum& source, double frequency_hz, double step_hz, double centre);
+
+/// The same at every fine line.
+std::vector<double> powers_at_lines(const pem::DelayedSpectrum& source, const FineGrid& grid);
+
 /// Pseudo-responses of one broadband source on the fine grid: [channel][fine line]. Where a band of the irregularity begins or ends between two lines, the mean power
 /// over the cell.
 std::vector<std::complex<double>> fine_responses(const pem::WheelTransfers& transfers, const pem::DelayedSpectrum& source,
@@ -30,7 +40,13 @@ void add_as_it_is(const pem::WheelTransfers& transfers, const pem::DelayedSpectr
 /// The transfers with what comes back at the frequency of the irregularity itself of the forces that supports pass on (the first of pem::felt_orders()).
 pem::WheelTransfers with_what_comes_back(const pem::WheelTransfers& transfers, const pem::FeltOrder& own);
 
-/// Adds what the supports pass on of a source's forces to other frequencies, as faint: all but the first of pem::felt_orders().
+/// What the supports pass on of a source's forces to other frequencies, as faint: all but the first of pem::felt_orders(). `take` gets the bin (counted from the first of
+/// `expected`), the frequency of the source that it is of, and the response of every channel.
+void for_each_felt(const pem::WheelTransfers& transfers, const std::vector<pem::FeltOrder>& felt, const pem::DelayedSpectrum& source, const std::vector<double>& wheels_m,
+                   double speed_m_per_s, double bin_hz, const ExpectedSpectra& expected,
+                   const std::function<void(std::size_t bin, double from_hz, const std::vector<std::complex<double>>& response)>& take);
+
+/// Adds all of it.
 void add_felt(const pem::WheelTransfers& transfers, const std::vector<pem::FeltOrder>& felt, const pem::DelayedSpectrum& source, const std::vector<double>& wheels_m,
               double speed_m_per_s, double bin_hz, ExpectedSpectra& expected);
 

@@ -35,6 +35,7 @@ Effect wheel_out_of_roundness() {
             "A corrugation whose wavelength is a fraction of the circumference: that is met by all wheels one after "
             "the other, this by one. The coherence between axle boxes at the line, and the exact order of "
             "rotation, decide.",
+        .excites = true,
         .obstacle = {},
         .apply =
             [](pem::CaseParameters& parameters, const EffectInstance& effect, const ParameterAccess&) {
