@@ -8,36 +8,45 @@ namespace railpem::diagnosis {
 namespace {
 
 constexpr double kBluntFloor = 0.1;
+constexpr const char* kTuned = "frequency_hz";
 constexpr std::size_t kClimbed = 3;         ///< of the starts, those most probable as they stand
 constexpr int kBluntIterations = 2;
 constexpr int kFurtherBluntIterations = 6;  ///< of an effect's best start
 constexpr int kStepsOfAStage = 5;           ///< of sharpening
 
-/// Typical values, and every parameter in turn near either end of its range.
-std::vector<Candidate> starts_of(const Candidate& candidate) {
+/// Typical values, every parameter in turn near either end of its range, and the frequencies in question: something tuned is not found from half of its frequency.
+std::vector<Candidate> starts_of(const std::vector<Candidate>& variants) {
     constexpr double kNearEnd = 0.2;
-    const Effect& effect = *find_effect(candidate.instance.effect);
-    Candidate typical = candidate;
+    const Effect& effect = *find_effect(variants.front().instance.effect);
+    Candidate typical = variants.front();
     for (const EffectParameter& parameter : effect.parameters) typical.instance.values[parameter.name] = parameter.typical;
     std::vector<Candidate> starts{typical};
-    for (const EffectParameter& parameter : effect.parameters)
-        for (const double share : {kNearEnd, 1.0 - kNearEnd}) {
-            const double low = to_coordinate(parameter, parameter.low), high = to_coordinate(parameter, parameter.high);
-            starts.push_back(typical);
-            starts.back().instance.values[parameter.name] = from_coordinate(parameter, low + share * (high - low));
-        }
+    const auto start_at = [&](const std::string& parameter, double value) {
+        starts.push_back(typical);
+        starts.back().instance.values[parameter] = value;
+    };
+    for (const EffectParameter& parameter : effect.parameters) {
+        if (parameter.name == kTuned)
+            for (const Candidate& own : variants) start_at(kTuned, own.instance.values.at(kTuned));
+        else
+            for (const double share : {kNearEnd, 1.0 - kNearEnd}) {
+                const double low = to_coordinate(parameter, parameter.low), high = to_coordinate(parameter, parameter.high);
+                start_at(parameter.name, from_coordinate(parameter, low + share * (high - low)));
+            }
+    }
     return starts;
 }
 
 }  // namespace
 
-FittedSet blunt_from_afar(const BelievedCase& believed, const Candidate& candidate, const LikelihoodContext& context, const std::function<void()>& between) {
+FittedSet blunt_from_afar(const BelievedCase& believed, const std::vector<Candidate>& variants, const LikelihoodContext& context,
+                          const std::function<void()>& between) {
     FitOptions options{.iterations = kBluntIterations, .from_far = false};
     options.between = between;
     LikelihoodContext blunt = context;
     blunt.least_floor = kBluntFloor;
     std::vector<std::pair<double, Candidate>> starts;
-    for (Candidate& start : starts_of(candidate)) {
+    for (Candidate& start : starts_of(variants)) {
         const Supposition supposition = suppose(believed, Fit{}, {start}, {}, {}, blunt);
         starts.emplace_back(log_posterior_at(supposition.trial, supposition.unknowns, supposition.start, blunt), std::move(start));
     }

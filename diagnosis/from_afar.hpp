@@ -7,9 +7,9 @@
 
 namespace railpem::diagnosis {
 
-/// The candidate fitted from the believed numbers, from its typical values and from either end of every range, with a likelihood that is
-/// blunt enough (a floor of 10 %) to have one broad maximum: the best of these. `between` is called between steps and may throw to stop.
-FittedSet blunt_from_afar(const BelievedCase& believed, const Candidate& candidate, const LikelihoodContext& context, const std::function<void()>& between);
+/// An effect fitted from the believed numbers, from its typical values, from either end of every range and from the frequencies of `variants` (candidates() of one place and choice; not empty), with a
+/// likelihood that is blunt enough (a floor of 10 %) to have one broad maximum: the best of these. `between` is called between steps and may throw to stop.
+FittedSet blunt_from_afar(const BelievedCase& believed, const std::vector<Candidate>& variants, const LikelihoodContext& context, const std::function<void()>& between);
 
 /// The floor at which it shows whether a set that was fitted with the blunt likelihood is worth sharpening.
 constexpr double kHalfSharpFloor = 0.04;

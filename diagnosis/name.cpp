@@ -118,11 +118,8 @@ class Search {
             if (is_worth_sharpening(half, found.retuned.fit)) sharpen(half);
             if (trials_.names() && leaves_little()) return further_rounds(static_cast<int>(trials_.leading().members()) + 1);
         }
+        if (search.misses()) search.rescue_round();  // before anything is added to what stands in for it
         search.further_rounds(2);
-        if (search.misses()) {
-            search.rescue_round();
-            search.further_rounds(2);
-        }
         const FittedSet& best = search.trials_.leading();
         if (best.score() > std::max(single, found.retuned.score()) + options_.least_gain) sharpen(half_sharp(best));
         if (!result_.sets.empty()) further_rounds(static_cast<int>(trials_.leading().members()) + 1);
@@ -206,17 +203,19 @@ class Search {
             if (element == Element::support) element = Element::pad;  // rigid ground has no correction of its own
             return is_among(result_.left_by_retuned, element) || is_among(result_.left_by_best, element);
         };
-        std::vector<std::string> done;
-        std::vector<FittedSet> blunt;
+        std::map<std::string, std::vector<Candidate>> variants;
+        std::vector<std::string> labels;  // in the order of the candidates
         for (const Candidate& candidate : result_.candidates) {
             const Effect& effect = *find_effect(candidate.instance.effect);
             const Element element = element_of(effect, candidate.instance);
             if (element == Element::sensor || element == Element::irregularity || element == Element::contact || is_numbered(effect)) continue;
+            if (!is_evident(element) && !effect.follows_load) continue;
             const std::string label = label_of(candidate.instance);
-            if ((!is_evident(element) && !effect.follows_load) || std::find(done.begin(), done.end(), label) != done.end()) continue;
-            done.push_back(label);
-            blunt.push_back(blunt_from_afar(believed_, candidate, context_, [this, label] { say(label + " from afar", 0.7); }));
+            if (variants[label].empty()) labels.push_back(label);
+            variants[label].push_back(candidate);
         }
+        std::vector<FittedSet> blunt;
+        for (const std::string& label : labels) blunt.push_back(blunt_from_afar(believed_, variants[label], context_, [this, label] { say(label + " from afar", 0.7); }));
         if (trials_.is_blunt()) return static_cast<void>(std::move(blunt.begin(), blunt.end(), std::back_inserter(result_.sets)));
         std::stable_sort(blunt.begin(), blunt.end(), [](const FittedSet& a, const FittedSet& b) { return a.fit.log_posterior > b.fit.log_posterior; });
         for (std::size_t i = 0; i < std::min(kSharpened, blunt.size()); ++i) {

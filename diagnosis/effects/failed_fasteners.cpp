@@ -45,6 +45,7 @@ Effect failed_fasteners() {
             "while a shape of the rail does not. Random ones look like a rougher track of long waves "
             "(irregularity-spectrum); again a second load separates.",
         .abrupt = true,
+        .approximate = true,  // the receptance is the mean over positions; what swings between a failed seat and the next is left out but for the lines
         .obstacle = [](const pem::CaseParameters& parameters) -> std::optional<Obstacle> {
             if (parameters.track.failed_fasteners.empty()) return std::nullopt;
             return Obstacle{"the case has failed fasteners already", "a case without [[track.failed_fasteners]]"};
