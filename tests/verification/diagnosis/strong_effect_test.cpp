@@ -6,6 +6,7 @@
 
 #include "diagnosis/diagnose.hpp"
 #include "diagnosis/effects/effect.hpp"
+#include "diagnosis/from_afar.hpp"
 #include "tests/unit/diagnosis/synthesised_fixture.hpp"
 
 namespace railpem::diagnosis {
@@ -33,6 +34,21 @@ TEST(StrongEffect, PreloadUnderTwoLoads) {
     ASSERT_EQ(found.omitted.size(), 1u);
     EXPECT_EQ(found.omitted.front().instance.effect, "pad-preload-stiffening");
     EXPECT_NEAR(found.omitted.front().parameters.front().value, 0.7, 0.07);
+}
+
+// From half of its frequency, or from twice, no climb leads to a resonance.
+TEST(StrongEffect, TunedMassOnTheRailIsFoundFromAfar) {
+    Synthesised made = synthesised(paper_believed({"vehicle.wheelset_mass_kg", "vehicle.primary.stiffness_n_per_m", "track.rail.second_moment_of_area_m4", "track.rail.mass_kg_per_m",
+                                                   "track.pads.static_stiffness_n_per_m", "track.pads.damping_n_s_per_m", "contact.constant_m_per_n23"}),
+                                   {22.2222, 33.0}, 60.0, nine_channels(), {.window_s = 2.0, .low_hz = 2.0, .high_hz = 175.0});
+    made.truth.effects.push_back({.effect = "rail-damper", .values = {{"mass_kg_per_m", 15.0}, {"frequency_hz", 120.0}, {"loss_factor", 0.35}}, .choices = {}});
+    made.draw(7);
+    std::vector<Candidate> variants = candidates(made.believed, believed_trial(made.believed, made.observations), made.observations).candidates;
+    std::erase_if(variants, [](const Candidate& own) { return own.instance.effect != "rail-damper"; });
+    const FittedSet found = blunt_from_afar(made.believed, variants, made.context(Part::fitted, 2), [] {});
+    const std::map<std::string, double>& values = found.fit.trial.effects.back().values;
+    EXPECT_NEAR(values.at("frequency_hz"), 120.0, 6.0);
+    EXPECT_NEAR(values.at("mass_kg_per_m"), 15.0, 3.0);
 }
 
 }  // namespace
