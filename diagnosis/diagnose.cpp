@@ -19,8 +19,8 @@ constexpr double kRoomForCurve = 300.0; ///< nats that a correction may stay beh
 class Diagnosing {
   public:
     Diagnosing(const BelievedCase& believed, const std::vector<Observation>& observations, const DiagnoseOptions& options)
-        : believed_(believed), observations_(observations), options_(options),
-          context_{.believed = &believed_, .observations = &observations_, .part = Part::fitted, .least_floor = 0.0, .threads = options.threads} {}
+        : believed_(believed), observations_(observations), coarse_(coarse_observations(observations)), options_(options),
+          context_{.believed = &believed_, .observations = &observations_, .coarse = &coarse_, .part = Part::fitted, .least_floor = 0.0, .threads = options.threads} {}
 
     Diagnosis run() {
         const auto begin = std::chrono::steady_clock::now();
@@ -86,6 +86,7 @@ class Diagnosing {
 
     const BelievedCase& believed_;
     const std::vector<Observation>& observations_;
+    const std::vector<Observation> coarse_;
     const DiagnoseOptions& options_;
     LikelihoodContext context_;
     const FitOptions near_{.from_far = false};

@@ -43,8 +43,7 @@ FittedSet blunt_from_afar(const BelievedCase& believed, const std::vector<Candid
                           const std::function<void()>& between) {
     FitOptions options{.iterations = kBluntIterations, .from_far = false};
     options.between = between;
-    LikelihoodContext blunt = context;
-    blunt.least_floor = kBluntFloor;
+    const LikelihoodContext blunt = blunted(context, kBluntFloor);
     std::vector<std::pair<double, Candidate>> starts;
     for (Candidate& start : starts_of(variants)) {
         const Supposition supposition = suppose(believed, Fit{}, {start}, {}, {}, blunt);
@@ -67,7 +66,8 @@ FittedSet half_sharpened(const BelievedCase& believed, const FittedSet& blunt, c
     options.between = between;
     LikelihoodContext half = context;
     half.least_floor = kHalfSharpFloor;
-    return fit_set(believed, blunt.fit, blunt.effects, blunt.released, {}, half, options);
+    const Fit values{.trial = blunt.fit.trial, .unknowns = blunt.fit.unknowns, .values = blunt.fit.values};  // its derivatives are of short windows
+    return fit_set(believed, values, blunt.effects, blunt.released, {}, half, options);
 }
 
 FittedSet sharpened(const BelievedCase& believed, const FittedSet& half_sharp, const LikelihoodContext& context, const std::function<void()>& between) {

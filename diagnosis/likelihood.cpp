@@ -129,6 +129,13 @@ LikelihoodSlope chunk_slope(const Chunk& chunk, const Trial& trial, const std::v
 
 }  // namespace
 
+LikelihoodContext blunted(const LikelihoodContext& context, double floor) {
+    LikelihoodContext blunt = context;
+    if (context.coarse) blunt.observations = context.coarse;
+    blunt.least_floor = floor;
+    return blunt;
+}
+
 const MeasuredSpectra& measured(const Observation& observation, Part part) {
     return part == Part::fitted ? observation.fitted : part == Part::held_out ? observation.held_out : observation.all;
 }

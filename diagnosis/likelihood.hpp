@@ -42,11 +42,15 @@ using ProcessCounts = std::vector<std::vector<double>>;
 struct LikelihoodContext {
     const BelievedCase* believed = nullptr;
     const std::vector<Observation>* observations = nullptr;
+    const std::vector<Observation>* coarse = nullptr;  ///< the same in short windows, for blunted(); none: `observations` serve
     Part part = Part::fitted;
     double least_floor = 0.0;  ///< relative; large values blunt the likelihood while a fit is far away
     int threads = 0;
     const ProcessCounts* processes = nullptr;  ///< those of another trial; none: every trial's own
 };
+
+/// The likelihood on the coarse observations, blunted by a relative floor.
+LikelihoodContext blunted(const LikelihoodContext& context, double floor);
 
 /// Prediction of one observation, `reuse` from the cache of a similar trial.
 ExpectedSpectra predict_one(const Trial& trial, const LikelihoodContext& context, std::size_t observation, const ExpectationCache* known = nullptr,

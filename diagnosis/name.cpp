@@ -102,14 +102,13 @@ class Search {
     /// the search goes on from it, and nothing else need be asked of the blunt. Otherwise from the best set, sharpened.
     void blunt_search() {
         result_.retuned.fit.derivatives.reset();  // nothing starts from there
-        LikelihoodContext blunt = context_;
-        blunt.least_floor = kBluntSearch;
+        const LikelihoodContext blunt = blunted(context_, kBluntSearch);
         NamingResult found;
         NamingOptions pairs = options_;
         pairs.most_effects = std::min(2, options_.most_effects);
         Search search(believed_, blunt, pairs, found);
         search.trials_.retune();
-        found.candidates = result_.candidates;
+        found.candidates = candidates(believed_, found.retuned.fit.trial, *blunt.observations).candidates;
         found.first_promises = search.screened(found.retuned.fit);
         search.first_round();
         const double single = search.trials_.leading().score();
@@ -137,7 +136,9 @@ class Search {
     bool is_worth_sharpening(const FittedSet& half, const Fit& retuned) const {
         LikelihoodContext half_sharp = context_;
         half_sharp.least_floor = kHalfSharpFloor;
-        return is_approximate(half) || missed_by(half.fit, half_sharp) < kHalfSharpMiss * missed_by(retuned, half_sharp);
+        Fit fine = retuned;  // of short windows so far
+        fine.predictions = predict(retuned.trial, half_sharp);
+        return is_approximate(half) || missed_by(half.fit, half_sharp) < kHalfSharpMiss * missed_by(fine, half_sharp);
     }
 
     std::vector<Promise> screened(const Fit& fit) {

@@ -9,6 +9,7 @@
 #include "diagnosis/held_distortion.hpp"
 #include "parameters/parameter_error.hpp"
 #include "recordings/cross_spectra.hpp"
+#include "vehicle/vehicle_parameters.hpp"
 
 namespace railpem::diagnosis {
 
@@ -16,8 +17,15 @@ namespace {
 
 constexpr std::size_t kFewestBins = 20;
 constexpr double kTransferStep = 0.125;  ///< Hz: what an axle box leaves unsaid by the others, 1e-5 of its power, is met within 2 %
-constexpr int kRailEvery = 16;           ///< the rail every 2 Hz
-constexpr int kOversampling = 3;  ///< the kernel repeats after 12 s: beyond its own 4 s and every wheel delay
+constexpr double kCoarseTransferStep = 0.5;  ///< 3e-5 of that power: nothing where the floor is a tenth
+constexpr double kRailStep = 2.0;            ///< Hz
+
+/// Fine lines per bin: the kernel repeats beyond its own length and every wheel delay, both ways.
+int oversampling_of(double window_s, const pem::CaseParameters& believed, double speed_m_per_s) {
+    const std::vector<double> wheels = vehicle::wheel_positions(believed.vehicle);
+    const auto [rear, front] = std::minmax_element(wheels.begin(), wheels.end());
+    return static_cast<int>(std::ceil(2.0 * (1.0 + (*front - *rear) / speed_m_per_s / window_s)));
+}
 
 MeasuredSpectra kept(const recordings::CrossSpectra& spectra, const std::vector<ObservedChannel>& channels,
                      std::size_t first, std::size_t count) {
@@ -66,7 +74,6 @@ std::size_t band_bins(const Observation& observation) {
 void set_band(Observation& observation, const recordings::WindowKernel& kernel, const pem::CaseParameters& believed,
               const ObservationOptions& options) {
     observation.kernel = kernel;
-    observation.expectation.weights = expectation_weights(kernel, observation.expectation.oversampling);
     const auto [longest, shortest] = wavelengths(believed.irregularity);
     const double v = observation.speed_m_per_s;
     if (!(v > 0.0))
@@ -74,10 +81,10 @@ void set_band(Observation& observation, const recordings::WindowKernel& kernel, 
                                          "the mean speed in m/s, to a percent or so (its error is estimated)");
     observation.expectation.low_hz = std::max(options.low_hz, v / longest / kBandEdge);
     observation.expectation.high_hz = std::min({options.high_hz, kBandEdge * v / shortest, 0.4 * kernel.sampling_rate_hz});
-    observation.expectation.oversampling = kOversampling;
-    observation.expectation.weights = expectation_weights(observation.kernel, kOversampling);
+    observation.expectation.oversampling = oversampling_of(1.0 / kernel.bin_hz(), believed, v);
+    observation.expectation.weights = expectation_weights(kernel, observation.expectation.oversampling);
     observation.expectation.transfer_step_hz = kTransferStep;
-    observation.expectation.rail_every = kRailEvery;
+    observation.expectation.rail_every = static_cast<int>(kRailStep / kTransferStep);
     observation.expectation.threads = 1;  // many evaluations run side by side
     if (band_bins(observation) < kFewestBins)
         throw parameters::ParameterError(
@@ -100,17 +107,13 @@ void set_log_determinants(MeasuredSpectra& measured, std::size_t channels, doubl
     }
 }
 
-Observation observe(const recordings::Recording& recording, const std::string& name,
-                    const pem::CaseParameters& believed, const ObservationOptions& options) {
-    Observation observation{.name = name};
+namespace {
+
+/// Spectra of all parts of a recording in windows of one length.
+Observation windowed(const recordings::Recording& recording, Observation observation, const pem::CaseParameters& believed, const ObservationOptions& options, double window_s) {
     const recordings::TimeSeries& series = recording.series;
-    observation.speed_m_per_s = recording.description.speed_m_per_s;
-    observation.payload_kg = recording.description.payload_kg;
-    observation.speed_tolerance = recording.description.speed_standard_error_m_per_s > 0.0
-                                      ? recording.description.speed_standard_error_m_per_s / observation.speed_m_per_s
-                                      : kDefaultSpeedTolerance;
     const double held_from = series.duration_s() * (1.0 - options.held_out_share);
-    const recordings::SegmentOptions segments{.window_s = options.window_s};
+    const recordings::SegmentOptions segments{.window_s = window_s};
     const recordings::CrossSpectra all = recordings::estimate_cross_spectra(series, segments);
     observation.channels = observed_channels(all.channels, believed);
     if (observation.channels.empty())
@@ -138,8 +141,38 @@ Observation observe(const recordings::Recording& recording, const std::string& n
         observation.unknown_scale.push_back(all.channels[channel.channel].scale == recordings::Scale::unknown);
         observation.noise_psd.push_back(quiet_level(all, channel.channel));
     }
-    hold_contact_distortion(observation, believed);
     return observation;
+}
+
+/// The same in short windows, where they hold bins enough.
+std::shared_ptr<const Observation> coarse_of(const recordings::Recording& recording, const Observation& head, const Observation& fine, const pem::CaseParameters& believed,
+                                             const ObservationOptions& options) {
+    if (static_cast<double>(fine.bins()) * options.coarse_window_s < static_cast<double>(kFewestBins) * options.window_s) return {};
+    Observation coarse = windowed(recording, head, believed, options, options.coarse_window_s);
+    coarse.expectation.transfer_step_hz = kCoarseTransferStep;
+    coarse.expectation.rail_every = static_cast<int>(kRailStep / kCoarseTransferStep);
+    coarse.expectation.beside = fine.expectation.beside;
+    coarse.noise_psd = fine.noise_psd;  // where beliefs about noise begin
+    return std::make_shared<const Observation>(std::move(coarse));
+}
+
+}  // namespace
+
+Observation observe(const recordings::Recording& recording, const std::string& name,
+                    const pem::CaseParameters& believed, const ObservationOptions& options) {
+    const auto& description = recording.description;
+    Observation head{.name = name, .speed_m_per_s = description.speed_m_per_s, .payload_kg = description.payload_kg};
+    head.speed_tolerance = description.speed_standard_error_m_per_s > 0.0 ? description.speed_standard_error_m_per_s / description.speed_m_per_s : kDefaultSpeedTolerance;
+    Observation observation = windowed(recording, head, believed, options, options.window_s);
+    hold_contact_distortion(observation, believed);
+    observation.coarse = coarse_of(recording, head, observation, believed, options);
+    return observation;
+}
+
+std::vector<Observation> coarse_observations(const std::vector<Observation>& observations) {
+    std::vector<Observation> coarse;
+    for (const Observation& own : observations) coarse.push_back(own.coarse ? *own.coarse : own);
+    return coarse;
 }
 
 }  // namespace railpem::diagnosis

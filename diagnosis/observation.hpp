@@ -2,6 +2,7 @@
 // A recording as the likelihood sees it.
 
 #include <complex>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,6 +38,7 @@ struct Observation {
     MeasuredSpectra held_out;  ///< what no fit sees
     MeasuredSpectra all;
     std::optional<ScalarData> scalar;  ///< a recording without time series: the three parts above are then empty
+    std::shared_ptr<const Observation> coarse;  ///< the same recording in short windows: what a blunt likelihood needs, for half the work; none without time series
 
     std::size_t first_bin() const;
     std::size_t bins() const { return all.log_determinant.size(); }
@@ -51,6 +53,7 @@ inline constexpr double kBandEdge = 0.9;                 ///< a band ends this m
 /// How a recording is turned into spectra.
 struct ObservationOptions {
     double window_s = 4.0;          ///< long windows see finer differences; shorter ones forgive (diagnosis README)
+    double coarse_window_s = 2.0;   ///< where the likelihood is blunt; in 1 s both effects of the paper are no longer told from one
     double low_hz = 2.0;            ///< below, a minute has too few waves
     double high_hz = 175.0;
     double held_out_share = 0.25;   ///< of the end of the record, seen by no fit
@@ -67,6 +70,9 @@ std::size_t band_bins(const Observation& observation);
 /// log det of every matrix of `values`; 0 everywhere when `averages`, the independent ones of a single bin, are fewer than
 /// the channels and the matrices are singular.
 void set_log_determinants(MeasuredSpectra& measured, std::size_t channels, double averages);
+
+/// The observations in short windows; those that have none as they are.
+std::vector<Observation> coarse_observations(const std::vector<Observation>& observations);
 
 /// Prepares a time series. The band is cut to where the believed irregularity excites at this speed.
 /// Throws parameters::ParameterError when no channel is one that the case has, more than kMostChannels are, or no usable band is left.

@@ -21,7 +21,7 @@ Effect rail_damper() {
                        {.name = "frequency_hz",
                         .unit = "Hz",
                         .low = 30.0,
-                        .high = 2000.0,
+                        .high = 6000.0,
                         .typical = 500.0,
                         .spread = Spread::logarithmic,
                         .says = "frequency of the mass on a fixed rail"},
@@ -33,7 +33,7 @@ Effect rail_damper() {
                         .spread = Spread::logarithmic,
                         .says = "loss factor of the elastomer"}},
         .elements = {Element::rail},
-        .bands = {{40.0, 2000.0}},
+        .bands = {{40.0, 6000.0}},
         .mimics =
             "Well below its frequency it is a heavier rail (parameter-error of track.rail.mass_kg_per_m) and a running "
             "train says little more; decay rates along the rail, or a receptance through its frequency, decide. "
