@@ -15,6 +15,7 @@
 #include "app/nearest_key.hpp"
 #include "app/schema.hpp"
 #include "diagnosis/diagnose.hpp"
+#include "diagnosis/hold_out_recordings.hpp"
 #include "diagnosis/observe_scalars.hpp"
 #include "recordings/inspection.hpp"
 
@@ -95,6 +96,7 @@ LoadedRecordings load_recordings(const DiagnosisRequest& request, const CaseFile
                 not_used.push_back(channel.description.name);
         loaded.add(observation, std::move(faults), std::move(not_used));
     }
+    diagnosis::hold_out_recordings(loaded.observations);
     return loaded;
 }
 

@@ -28,12 +28,19 @@ double start_of(const Unknown& unknown, const Fit& near) {
     return near.find(unknown.name, &index) ? near.values[index] : unknown.mean;
 }
 
+/// Where the near fit has a member: the second of two alike is the second there. −1: nowhere.
+int counterpart(const std::vector<EffectInstance>& near, const std::vector<EffectInstance>& before, const EffectInstance& member) {
+    const auto alike = [&](const EffectInstance& instance) { return same_variant(instance, member); };
+    auto left = std::count_if(before.begin(), before.end(), alike);
+    for (std::size_t i = 0; i < near.size(); ++i)
+        if (alike(near[i]) && left-- == 0) return static_cast<int>(i);
+    return -1;
+}
+
 /// A member of the near fit starts where that fit left it (or where its values were moved to), a new one at its own strength.
 void add_member(const Candidate& member, const Fit& near, Supposition& own) {
     const Effect& effect = *find_effect(member.instance.effect);
-    const auto known = std::find_if(near.trial.effects.begin(), near.trial.effects.end(),
-                                    [&](const EffectInstance& instance) { return same_variant(instance, member.instance); });
-    const int index = known == near.trial.effects.end() ? -1 : static_cast<int>(known - near.trial.effects.begin());
+    const int index = counterpart(near.trial.effects, own.trial.effects, member.instance);
     for (const Unknown& unknown : effect_unknowns(member.instance, own.trial.effects.size())) {
         const std::string name = unknown.name.substr(unknown.name.find('.') + 1);
         const auto parameter = std::find_if(effect.parameters.begin(), effect.parameters.end(), [&](const EffectParameter& one) { return one.name == name; });

@@ -253,9 +253,10 @@ class Search {
         // Beside a law that is an approximation the rest of its own imitates much.
         const double least = is_approximate(from) ? nats_left(from, result_.retuned.score(), options_.least_promise) : options_.least_promise;
         std::vector<Starts> chosen = worth_refitting(promises, result_.candidates, least, options_.later_refits + 2);
-        const auto is_member = [&](const Starts& starts) {
-            return std::any_of(from.effects.begin(), from.effects.end(),
-                               [&](const Candidate& own) { return same_variant(own.instance, result_.candidates[starts.front().candidate].instance); });
+        const auto is_member = [&](const Starts& starts) {  // as often as it may be
+            const EffectInstance& instance = result_.candidates[starts.front().candidate].instance;
+            return std::count_if(from.effects.begin(), from.effects.end(), [&](const Candidate& own) { return same_variant(own.instance, instance); }) >=
+                   find_effect(instance.effect)->most_instances;
         };
         std::erase_if(chosen, is_member);
         if (static_cast<int>(chosen.size()) > options_.later_refits) chosen.erase(chosen.begin() + options_.later_refits, chosen.end());

@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "diagnosis/decay_rate_reference.hpp"
 #include "parameters/parameter_error.hpp"
 
 namespace railpem::diagnosis {
@@ -21,7 +22,6 @@ constexpr double kReceptanceDeviation = 0.05;  ///< of a hammer test
 constexpr double kDecayDeviation = 0.15;       ///< of a decay rate in a third-octave (reproducibility of EN 15461)
 constexpr double kLeastDeviation = 1e-3;
 constexpr double kPedestal = 0.05;             ///< of the mean level of the third-octave: 13 dB below it
-constexpr double kCellsPerOctave = 12.0;       ///< values closer than that share their discrepancy
 constexpr int kHeldOutBand = 4;                ///< one third-octave in so many is held out
 
 /// The values that a recording of the track brings; what is not positive has no logarithm and is left out.
@@ -104,6 +104,12 @@ void raise_zeros(const std::vector<bool>& unknown_scale, ScalarData& data) {
     }
 }
 
+/// How well the reference of the case is known, where it has one.
+void refer(const pem::DecayRateReference& reference, ScalarData& data) {
+    for (ScalarValue& value : data.values)
+        if (const int band = reference_band(reference, value.frequency_hz); band >= 0) value.shared_deviation = reference.relative_error[static_cast<std::size_t>(band)];
+}
+
 void prepare_spectrum(const recordings::Recording& recording, const pem::CaseParameters& believed, const ObservationOptions& options, Observation& observation) {
     observation.speed_m_per_s = recording.description.speed_m_per_s;
     if (!(observation.speed_m_per_s > 0.0))
@@ -145,7 +151,7 @@ void prepare_spectrum(const recordings::Recording& recording, const pem::CasePar
 void share_and_hold_out(ScalarData& data) {
     std::map<std::pair<std::size_t, long>, double> cells;
     std::set<long> bands;
-    const auto cell = [](const ScalarValue& value) { return std::pair(value.channel, std::lround(kCellsPerOctave * std::log2(value.frequency_hz))); };
+    const auto cell = [](const ScalarValue& value) { return std::pair(value.channel, discrepancy_cell(value.frequency_hz)); };
     const auto band = [](const ScalarValue& value) { return std::lround(10.0 * std::log10(value.frequency_hz)); };
     for (ScalarValue& value : data.values) {
         value.deviation = std::max(value.deviation, kLeastDeviation);
@@ -175,6 +181,7 @@ Observation observe_scalars(const recordings::Recording& recording, const std::s
     if (data.of_track()) {
         data.has_phase = data.kind == RecordingKind::receptance && recording.receptance.has_phase;
         data.values = track_values(recording);
+        if (data.kind == RecordingKind::decay_rate) refer(believed.decay_rate_reference, data);
         observation.channel_names = {data.kind == RecordingKind::decay_rate                ? "decay rate"
                                      : data.place == recordings::Place::over_pad ? "receptance over a pad"
                                                                                  : "receptance in mid-bay"};

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "diagnosis/decay_rate_reference.hpp"
 #include "pem/excitation.hpp"
 #include "pem/linearise.hpp"
 #include "pem/sensor_chain.hpp"
@@ -137,6 +138,9 @@ std::vector<Complex> decay_levels(const pem::CaseParameters& parameters, const S
     const pem::TrackResponse response = pem::track_response(parameters, frequencies, true, threads);
     std::vector<Complex> levels;
     for (const pem::DecayBand& band : pem::decay_bands(response, centres, parameters.track.spacing_m)) levels.emplace_back(std::log(band.decay_rate_db_per_m), 0.0);
+    const pem::DecayRateReference& reference = parameters.decay_rate_reference;
+    for (std::size_t i = 0; i < levels.size(); ++i)
+        if (const int band = reference_band(reference, data.values[i].frequency_hz); band >= 0) levels[i] += std::log(reference.ratio[static_cast<std::size_t>(band)]);
     return levels;
 }
 

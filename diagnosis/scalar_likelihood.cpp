@@ -28,7 +28,7 @@ void add_observation(const Trial& trial, const std::vector<Unknown>& unknowns, s
     const Observation& observation = (*context.observations)[o];
     const ScalarData& data = *observation.scalar;
     const int parts = data.has_phase ? 2 : 1;
-    const int discrepancy = discrepancy_unknown(unknowns, o);
+    const int discrepancy = discrepancy_unknown(unknowns, data.leader.value_or(o));
     each_value(observation, o, trial, context, [&](std::size_t i, const ScalarValue& value, double variance) {
         for (int part = 0; part < parts; ++part) {
             const auto of = [part](std::complex<double> z) { return part == 0 ? z.real() : z.imag(); };
@@ -50,6 +50,11 @@ void add_observation(const Trial& trial, const std::vector<Unknown>& unknowns, s
 
 }  // namespace
 
+long discrepancy_cell(double frequency_hz) {
+    constexpr double kCellsPerOctave = 12.0;
+    return std::lround(kCellsPerOctave * std::log2(frequency_hz));
+}
+
 bool belongs(const ScalarValue& value, Part part) { return part == Part::all || (part == Part::held_out) == value.held_out; }
 
 std::size_t scalar_count(const std::vector<Observation>& observations, Part part) {
@@ -61,7 +66,7 @@ std::size_t scalar_count(const std::vector<Observation>& observations, Part part
 }
 
 double scalar_variance(const ScalarValue& value, double discrepancy, double least_floor) {
-    return value.deviation * value.deviation + value.sharing * (discrepancy * discrepancy + least_floor * least_floor);
+    return value.deviation * value.deviation + value.sharing * (value.shared_deviation * value.shared_deviation + discrepancy * discrepancy + least_floor * least_floor);
 }
 
 double scalar_log_likelihood(const Trial& trial, const Predictions& predictions, const LikelihoodContext& context) {

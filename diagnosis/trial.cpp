@@ -82,16 +82,26 @@ void add_irregularity(const BelievedCase& believed, const std::vector<Observatio
                         }});
 }
 
-/// A discrepancy for the recording, and the scale of every channel whose unit cannot be trusted.
-void add_scalar(const Observation& observation, std::size_t o, std::vector<Unknown>& unknowns) {
+/// The discrepancy of a recording and of those that share it.
+void add_discrepancy(const std::vector<Observation>& observations, std::size_t o, std::vector<Unknown>& unknowns) {
+    std::vector<std::size_t> led;
+    for (std::size_t other = 0; other < observations.size(); ++other)
+        if (observations[other].scalar && observations[other].scalar->leader.value_or(other) == o) led.push_back(other);
+    if (led.empty()) return;
     unknowns.push_back({.kind = UnknownKind::discrepancy,
-                        .name = "discrepancy of " + observation.name,
+                        .name = "discrepancy of " + observations[o].name,
                         .mean = std::log(kScalarDiscrepancy),
                         .deviation = kScalarDiscrepancyDeviation,
                         .low = std::log(1e-4),
                         .high = std::log(10.0),
                         .observation = static_cast<int>(o),
-                        .set = [o](Trial& trial, double x) { trial.discrepancy[o] = std::exp(x); }});
+                        .set = [led](Trial& trial, double x) {
+                            for (const std::size_t own : led) trial.discrepancy[own] = std::exp(x);
+                        }});
+}
+
+/// The scale of every channel whose unit cannot be trusted.
+void add_scales(const Observation& observation, std::size_t o, std::vector<Unknown>& unknowns) {
     for (std::size_t c = 0; c < observation.channels.size(); ++c)
         if (observation.unknown_scale[c])
             unknowns.push_back({.kind = UnknownKind::gain,
@@ -121,7 +131,7 @@ void add_fluctuation(const BelievedCase& believed, const std::vector<Observation
 void add_recording(const std::vector<Observation>& observations, std::vector<Unknown>& unknowns) {
     for (std::size_t o = 0; o < observations.size(); ++o) {
         const Observation& observation = observations[o];
-        if (observation.scalar) add_scalar(observation, o, unknowns);
+        if (observation.scalar) add_discrepancy(observations, o, unknowns), add_scales(observation, o, unknowns);
         if (!reaches(observation, Element::irregularity)) continue;
         const double speed = observation.speed_m_per_s;
         unknowns.push_back({.kind = UnknownKind::speed,

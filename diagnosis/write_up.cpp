@@ -8,6 +8,7 @@
 #include <map>
 
 #include "diagnosis/compare_channels.hpp"
+#include "diagnosis/decay_rate_reference.hpp"
 #include "diagnosis/inferred_curve.hpp"
 #include "diagnosis/interval.hpp"
 #include "diagnosis/scalar_likelihood.hpp"
@@ -40,12 +41,10 @@ class WritingUp {
         for (const NotTested& not_tested : naming_.not_tested) result_.not_tested.push_back(not_tested.effect + ": " + not_tested.why);
         report_recordings();
         report_basis();
-        result_.diagnosed_numbers = named_.fit.trial.numbers;
-        result_.diagnosed_effects = named_.fit.trial.effects;
-        if (!names) {
-            result_.diagnosed_numbers = retuned_.fit.trial.numbers;
-            result_.diagnosed_effects = retuned_.fit.trial.effects;
-        }
+        const Fit& diagnosed = names ? named_.fit : retuned_.fit;
+        result_.diagnosed_numbers = diagnosed.trial.numbers;
+        result_.diagnosed_numbers.decay_rate_reference = decay_rate_reference(diagnosed.trial, diagnosed.predictions, observations_);
+        result_.diagnosed_effects = diagnosed.trial.effects;
         result_.statement = statement_of(result_);
     }
 
@@ -177,9 +176,10 @@ class WritingUp {
         const FittedSet* without = &naming_.retuned;
         for (const FittedSet& set : naming_.sets) {
             if (set.members() + 1 != best.members() || set.released != best.released) continue;
-            const bool lacks = std::none_of(set.effects.begin(), set.effects.end(),
-                                            [&](const Candidate& own) { return same_variant(own.instance, best.effects[member].instance); });
-            if (lacks && set.fit.log_likelihood > without->fit.log_likelihood) without = &set;
+            const auto times = [&](const FittedSet& one) {
+                return std::count_if(one.effects.begin(), one.effects.end(), [&](const Candidate& own) { return same_variant(own.instance, best.effects[member].instance); });
+            };
+            if (times(set) < times(best) && set.fit.log_likelihood > without->fit.log_likelihood) without = &set;
         }
         named.nats_fitted = best.fit.log_likelihood - without->fit.log_likelihood;
         named.nats_held_out = best.held_out - without->held_out;

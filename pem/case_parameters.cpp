@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 
 #include "parameters/parameter_error.hpp"
 #include "pem/sensor_chain.hpp"
@@ -64,6 +65,15 @@ Fields<SleeperPassing> sleeper_passing_fields() {
     return {number(&SleeperPassing::amplitude_factor, "amplitude_factor", "1", between(0.0, 100.0), "0: not modelled; 1: as the case's own compliance over a bay gives")};
 }
 
+Fields<DecayRateReference> decay_rate_reference_fields() {
+    using D = DecayRateReference;
+    return {
+        numbers(&D::centre_hz, "centre_hz", "Hz", positive(), "third-octaves, increasing"),
+        numbers(&D::ratio, "ratio", "1", positive(), "measured by predicted decay rate, per third-octave"),
+        numbers(&D::relative_error, "relative_error", "1", not_negative(), "of the measurement, per third-octave"),
+    };
+}
+
 Fields<SensorParameters> sensor_fields() {
     using S = SensorParameters;
     return {
@@ -94,6 +104,15 @@ void check_modal_length(const CaseParameters& parameters) {
     if (foremost > half)
         throw ParameterError("solver.pads", fmt::format("wheel 1 stands at {:g} m, off the track, which ends at {:g} m", foremost, half),
                              "more pads, or a shorter vehicle");
+}
+
+void check_reference(const DecayRateReference& reference) {
+    const std::size_t count = reference.centre_hz.size();
+    if (reference.ratio.size() != count || reference.relative_error.size() != count)
+        throw ParameterError("decay_rate_reference.ratio", fmt::format("{} ratios and {} errors for {} third-octaves", reference.ratio.size(), reference.relative_error.size(), count),
+                             "one of each per third-octave");
+    if (std::adjacent_find(reference.centre_hz.begin(), reference.centre_hz.end(), std::greater_equal<>()) != reference.centre_hz.end())
+        throw ParameterError("decay_rate_reference.centre_hz", "the values do not increase", "strictly increasing values");
 }
 
 /// Every band of wavelengths must turn into frequencies of the grid at this speed: one that does not was meant otherwise.
@@ -129,6 +148,7 @@ void check(const CaseParameters& parameters) {
     if (parameters.running.speeds_m_per_s.empty())
         throw ParameterError("running.speeds_m_per_s", "no speed", "at least one speed");
     for (const double speed : parameters.running.speeds_m_per_s) check_bands_excite(parameters, speed);
+    check_reference(parameters.decay_rate_reference);
     check_modal_length(parameters);
 }
 

@@ -36,6 +36,14 @@ struct SolverParameters {
     bool moving = false;  ///< add what the motion of the wheels along the rail changes in its receptance
 };
 
+/// What a track was measured to have when this case was fitted to it, by what the case says: a later state of the same track is held against the same ratios.
+/// Only what has changed is then left to be explained. One element each per third-octave; empty: nothing is known.
+struct DecayRateReference {
+    std::vector<double> centre_hz;       ///< increasing
+    std::vector<double> ratio;           ///< measured by predicted
+    std::vector<double> relative_error;  ///< of the measurement: standard deviation of the logarithm
+};
+
 struct CaseParameters {
     std::string title;
     vehicle::VehicleParameters vehicle;
@@ -46,6 +54,7 @@ struct CaseParameters {
     FrequencyParameters frequency;
     SolverParameters solver;
     SleeperPassing sleeper_passing;
+    DecayRateReference decay_rate_reference;
     std::vector<WheelOutOfRoundness> wheel_out_of_roundness;
     std::vector<SensorParameters> sensors;
     /// Relative standard deviations of believed values by dotted key, where they differ from the defaults of the fields.
@@ -54,6 +63,7 @@ struct CaseParameters {
 
 parameters::Fields<CaseParameters> case_fields();
 parameters::Fields<RunningParameters> running_fields();
+parameters::Fields<DecayRateReference> decay_rate_reference_fields();
 parameters::Fields<FrequencyParameters> frequency_fields();
 parameters::Fields<SolverParameters> solver_fields();
 

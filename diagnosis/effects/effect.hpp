@@ -80,6 +80,7 @@ struct Effect {
     std::vector<Band> bands;
     std::string mimics;  ///< what looks like it, and what would tell them apart
     bool abrupt = false;    ///< in its range it is never slight: screening looks at typical values instead of near nothing
+    int most_instances = 1;   ///< of one variant in a set
     bool approximate = false; ///< its law is an approximation (linearised about the level of vibration, or one that nothing in time obeys): part of it stays unexplained
     bool replaces = false;  ///< it takes the place of a law of the case: no derivative at vanishing strength speaks for it
     bool excites = false;   ///< it adds to what excites; how anything responds to it stays as it is, wherever it sits

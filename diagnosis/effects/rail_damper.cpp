@@ -38,6 +38,7 @@ Effect rail_damper() {
             "Well below its frequency it is a heavier rail (parameter-error of track.rail.mass_kg_per_m) and a running "
             "train says little more; decay rates along the rail, or a receptance through its frequency, decide. "
             "sleeper-flexibility makes a similar pair of dip and peak but only over the supports.",
+        .most_instances = 2,  // dampers with two masses
         .approximate = true,  // a loss factor that is the same at all frequencies: rubber comes near, dashpots equal it at one
         .obstacle = {},
         .apply =
