@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "diagnosis/channel_scales.hpp"
 #include "diagnosis/held_distortion.hpp"
 #include "parameters/parameter_error.hpp"
 #include "recordings/cross_spectra.hpp"
+#include "recordings/stated_speed.hpp"
 
 namespace railpem::diagnosis {
 
@@ -104,11 +106,10 @@ Observation observe(const recordings::Recording& recording, const std::string& n
                     const pem::CaseParameters& believed, const ObservationOptions& options) {
     Observation observation{.name = name};
     const recordings::TimeSeries& series = recording.series;
-    observation.speed_m_per_s = recording.description.speed_m_per_s;
+    const recordings::StatedSpeed speed = recordings::stated_speed(recording);
+    observation.speed_m_per_s = speed.m_per_s;
     observation.payload_kg = recording.description.payload_kg;
-    observation.speed_tolerance = recording.description.speed_standard_error_m_per_s > 0.0
-                                      ? recording.description.speed_standard_error_m_per_s / observation.speed_m_per_s
-                                      : kDefaultSpeedTolerance;
+    observation.speed_tolerance = speed.standard_error > 0.0 ? speed.standard_error / speed.m_per_s : kDefaultSpeedTolerance;
     const double held_from = series.duration_s() * (1.0 - options.held_out_share);
     const recordings::SegmentOptions segments{.window_s = options.window_s};
     const recordings::CrossSpectra all = recordings::estimate_cross_spectra(series, segments);
@@ -139,6 +140,7 @@ Observation observe(const recordings::Recording& recording, const std::string& n
         observation.noise_psd.push_back(quiet_level(all, channel.channel));
     }
     hold_contact_distortion(observation, believed);
+    guess_scales(observation, believed);
     return observation;
 }
 

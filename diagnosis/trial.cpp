@@ -82,7 +82,25 @@ void add_irregularity(const BelievedCase& believed, const std::vector<Observatio
                         }});
 }
 
-/// A discrepancy for the recording, and the scale of every channel whose unit cannot be trusted.
+/// The first guess of a channel's scale.
+double guessed_scale(const Observation& observation, std::size_t channel) { return observation.log_scale.empty() ? 0.0 : observation.log_scale[channel]; }
+
+/// The scale of every channel whose unit cannot be trusted.
+void add_scales(const Observation& observation, std::size_t o, std::vector<Unknown>& unknowns) {
+    for (std::size_t c = 0; c < observation.channels.size(); ++c)
+        if (observation.unknown_scale[c])
+            unknowns.push_back({.kind = UnknownKind::gain,
+                                .name = fmt::format("scale of {} in {}", observation.channel_names[c], observation.name),
+                                .mean = guessed_scale(observation, c),
+                                .deviation = kScaleDeviation,
+                                .low = guessed_scale(observation, c) - 40.0,
+                                .high = guessed_scale(observation, c) + 40.0,
+                                .observation = static_cast<int>(o),
+                                .index = static_cast<int>(c),
+                                .set = [o, c](Trial& trial, double x) { trial.log_gain[o][c] = x; }});
+}
+
+/// A discrepancy for the recording.
 void add_scalar(const Observation& observation, std::size_t o, std::vector<Unknown>& unknowns) {
     unknowns.push_back({.kind = UnknownKind::discrepancy,
                         .name = "discrepancy of " + observation.name,
@@ -92,16 +110,6 @@ void add_scalar(const Observation& observation, std::size_t o, std::vector<Unkno
                         .high = std::log(10.0),
                         .observation = static_cast<int>(o),
                         .set = [o](Trial& trial, double x) { trial.discrepancy[o] = std::exp(x); }});
-    for (std::size_t c = 0; c < observation.channels.size(); ++c)
-        if (observation.unknown_scale[c])
-            unknowns.push_back({.kind = UnknownKind::gain,
-                                .name = fmt::format("scale of {} in {}", observation.channel_names[c], observation.name),
-                                .deviation = kScaleDeviation,
-                                .low = -40.0,
-                                .high = 40.0,
-                                .observation = static_cast<int>(o),
-                                .index = static_cast<int>(c),
-                                .set = [o, c](Trial& trial, double x) { trial.log_gain[o][c] = x; }});
 }
 
 /// The width of all lines. Held at a guess it is taken from their power: a line narrower than believed has less beside its bin than the model says, and the
@@ -122,6 +130,7 @@ void add_recording(const std::vector<Observation>& observations, std::vector<Unk
     for (std::size_t o = 0; o < observations.size(); ++o) {
         const Observation& observation = observations[o];
         if (observation.scalar) add_scalar(observation, o, unknowns);
+        add_scales(observation, o, unknowns);
         if (!reaches(observation, Element::irregularity)) continue;
         const double speed = observation.speed_m_per_s;
         unknowns.push_back({.kind = UnknownKind::speed,
@@ -201,7 +210,8 @@ Trial believed_trial(const BelievedCase& believed, const std::vector<Observation
         trial.speed_m_per_s.push_back(observation.speed_m_per_s);
         trial.noise_psd.push_back(observation.noise_psd);
         trial.discrepancy.push_back(observation.scalar ? kScalarDiscrepancy : 0.0);
-        trial.log_gain.emplace_back(observation.channels.size(), 0.0);
+        trial.log_gain.emplace_back();
+        for (std::size_t c = 0; c < observation.channels.size(); ++c) trial.log_gain.back().push_back(guessed_scale(observation, c));
     }
     return trial;
 }
