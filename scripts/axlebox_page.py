@@ -263,7 +263,7 @@ Data: `高速列车轨道波摩检测模型设计/Dataset` of [TiraMisuLab01/AVM
 (GPL-3.0, commit e286d0b, 2025), pieces of 2000 samples put in order of mileage as `km1.csv` and `km2.csv` with the columns `km`, `speed_kmh`, `left`, `right`; they are not in this repository. This page is written by
 
 ```sh
-scripts/diagnose_two_kilometres.py PATH
+python3 scripts/diagnose_two_kilometres.py PATH
 ```
 """
 
