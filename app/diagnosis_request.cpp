@@ -17,6 +17,7 @@
 #include "diagnosis/diagnose.hpp"
 #include "diagnosis/hold_out_recordings.hpp"
 #include "diagnosis/observe_scalars.hpp"
+#include "diagnosis/rail_sides.hpp"
 #include "recordings/inspection.hpp"
 
 namespace railpem::app {
@@ -63,6 +64,32 @@ void check_without(const DiagnosisRequest& request) {
     }
 }
 
+/// A time series, one rail after the other where it has channels of both.
+void add_series(const recordings::Recording& recording, const RecordingFile& description, const std::string& path, const CaseFile& file, const diagnosis::BelievedCase& believed,
+                const diagnosis::ObservationOptions& options, LoadedRecordings& loaded) {
+    const std::vector<diagnosis::SideRecording> sides = diagnosis::one_rail_each(recording);
+    std::vector<diagnosis::Observation> observations;
+    std::vector<std::string> used;
+    for (const diagnosis::SideRecording& side : sides) {
+        observations.push_back(reading_data(description, [&] { return diagnosis::observe(side.recording, description.name + side.suffix, believed.numbers, options); }));
+        used.insert(used.end(), observations.back().channel_names.begin(), observations.back().channel_names.end());
+    }
+    const recordings::InspectionReport inspection = recordings::inspect(recording, inspection_beliefs(file, description));
+    std::vector<std::string> faults, not_used;
+    for (const recordings::Fault& fault : inspection.faults) {
+        if (fault.severity != recordings::Severity::note) faults.push_back(fault.says);
+        // At another speed nothing lies where it is looked for, and no fit would come near.
+        if (fault.kind == recordings::FaultKind::speed_mismatch && fault.severity == recordings::Severity::error)
+            throw InputError(fmt::format("{}: {}\nallowed: the speed of the record, in m/s", path, fault.says));
+    }
+    for (const recordings::Channel& channel : recording.series.channels)
+        if (std::find(used.begin(), used.end(), channel.description.name) == used.end()) not_used.push_back(channel.description.name);
+    for (const diagnosis::Observation& observation : observations) {
+        loaded.irregularity_measured.push_back(recording.irregularity.brought());
+        loaded.add(observation, faults, not_used);
+    }
+}
+
 LoadedRecordings load_recordings(const DiagnosisRequest& request, const CaseFile& file, const diagnosis::BelievedCase& believed) {
     LoadedRecordings loaded;
     std::set<std::string> data_files;
@@ -71,30 +98,16 @@ LoadedRecordings load_recordings(const DiagnosisRequest& request, const CaseFile
         const recordings::Recording recording = load_recording(description);
         if (!data_files.insert(std::filesystem::weakly_canonical(recording.file).string()).second)
             throw InputError(fmt::format("{}: the same data file twice would count its evidence twice\nallowed: data of its own for each recording", path));
-        loaded.irregularity_measured.push_back(recording.irregularity.brought());
         if (recording.irregularity.brought()) loaded.irregularity.push_back(recording.irregularity);
         const diagnosis::ObservationOptions options{.window_s = request.window_s, .held_out_share = request.held_out};
-        const bool series = recording.description.kind == recordings::RecordingKind::timeseries;
-        const auto observation = reading_data(description, [&] {
-            return series ? diagnosis::observe(recording, description.name, believed.numbers, options)
-                          : diagnosis::observe_scalars(recording, description.name, believed.numbers, options);
-        });
-        if (!series) {  // nothing to inspect: what it lacks is part of what the verdict rests on
-            loaded.add(observation, {}, unused_spectra(recording, observation));
+        if (recording.description.kind == recordings::RecordingKind::timeseries) {
+            add_series(recording, description, path, file, believed, options, loaded);
             continue;
         }
-        const recordings::InspectionReport inspection = recordings::inspect(recording, inspection_beliefs(file, description));
-        std::vector<std::string> faults, not_used;
-        for (const recordings::Fault& fault : inspection.faults) {
-            if (fault.severity != recordings::Severity::note) faults.push_back(fault.says);
-            // At another speed nothing lies where it is looked for, and no fit would come near.
-            if (fault.kind == recordings::FaultKind::speed_mismatch && fault.severity == recordings::Severity::error)
-                throw InputError(fmt::format("{}: {}\nallowed: the speed of the record, in m/s", path, fault.says));
-        }
-        for (const recordings::Channel& channel : recording.series.channels)
-            if (std::find(observation.channel_names.begin(), observation.channel_names.end(), channel.description.name) == observation.channel_names.end())
-                not_used.push_back(channel.description.name);
-        loaded.add(observation, std::move(faults), std::move(not_used));
+        // Nothing to inspect: what it lacks is part of what the verdict rests on.
+        const auto observation = reading_data(description, [&] { return diagnosis::observe_scalars(recording, description.name, believed.numbers, options); });
+        loaded.irregularity_measured.push_back(recording.irregularity.brought());
+        loaded.add(observation, {}, unused_spectra(recording, observation));
     }
     diagnosis::hold_out_recordings(loaded.observations);
     return loaded;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "diagnosis/channel_scales.hpp"
 #include "diagnosis/kernel_smoothing.hpp"
 #include "diagnosis/reuse.hpp"
 #include "diagnosis/source_spectra.hpp"
@@ -117,6 +118,7 @@ std::vector<Values> irregularity_derivatives(const Trial& trial, const std::vect
         }
     };
     for_each_felt(known.transfers, known.felt, irregularity, wheels, speed, observation.kernel.bin_hz(), at, add);
+    for (Values& values : result) scale_channels(trial.log_gain[o], values);
     return result;
 }
 

@@ -6,6 +6,7 @@
 #include <exception>
 #include <limits>
 
+#include "diagnosis/channel_scales.hpp"
 #include "diagnosis/predict_scalars.hpp"
 #include "diagnosis/scalar_likelihood.hpp"
 #include "diagnosis/whitened_bin.hpp"
@@ -155,9 +156,12 @@ ExpectedSpectra predict_one(const Trial& trial, const LikelihoodContext& context
                             ExpectationCache* filled) {
     const Observation& observation = (*context.observations)[o];
     const pem::CaseParameters parameters = case_of(trial, *context.believed, observation);
-    if (!observation.scalar)
-        return expected_spectra(parameters, trial.speed_m_per_s[o], observation.kernel, observation.channels, {}, observation.expectation, known,
-                                reuse, filled);
+    if (!observation.scalar) {
+        ExpectedSpectra spectra = expected_spectra(parameters, trial.speed_m_per_s[o], observation.kernel, observation.channels, {},
+                                                   observation.expectation, known, reuse, filled);
+        scale_channels(trial.log_gain[o], spectra.values);
+        return spectra;
+    }
     ExpectedSpectra result{.values = predict_scalars(parameters, trial.speed_m_per_s[o], observation, known, reuse, filled)};
     for (std::size_t i = 0; i < result.values.size() && !trial.log_gain[o].empty(); ++i)
         result.values[i] += trial.log_gain[o][observation.scalar->values[i].channel];

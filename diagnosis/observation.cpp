@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "diagnosis/channel_scales.hpp"
 #include "diagnosis/held_distortion.hpp"
 #include "parameters/parameter_error.hpp"
 #include "recordings/cross_spectra.hpp"
+#include "recordings/stated_speed.hpp"
 #include "vehicle/vehicle_parameters.hpp"
 
 namespace railpem::diagnosis {
@@ -152,6 +154,7 @@ std::shared_ptr<const Observation> coarse_of(const recordings::Recording& record
     coarse.expectation.transfer_step_hz = kCoarseTransferStep;
     coarse.expectation.rail_every = static_cast<int>(kRailStep / kCoarseTransferStep);
     coarse.expectation.beside = fine.expectation.beside;
+    coarse.log_scale = fine.log_scale;
     coarse.noise_psd = fine.noise_psd;  // where beliefs about noise begin
     return std::make_shared<const Observation>(std::move(coarse));
 }
@@ -160,11 +163,12 @@ std::shared_ptr<const Observation> coarse_of(const recordings::Recording& record
 
 Observation observe(const recordings::Recording& recording, const std::string& name,
                     const pem::CaseParameters& believed, const ObservationOptions& options) {
-    const auto& description = recording.description;
-    Observation head{.name = name, .speed_m_per_s = description.speed_m_per_s, .payload_kg = description.payload_kg};
-    head.speed_tolerance = description.speed_standard_error_m_per_s > 0.0 ? description.speed_standard_error_m_per_s / description.speed_m_per_s : kDefaultSpeedTolerance;
+    const recordings::StatedSpeed speed = recordings::stated_speed(recording);
+    Observation head{.name = name, .speed_m_per_s = speed.m_per_s, .payload_kg = recording.description.payload_kg};
+    head.speed_tolerance = speed.standard_error > 0.0 ? speed.standard_error / speed.m_per_s : kDefaultSpeedTolerance;
     Observation observation = windowed(recording, head, believed, options, options.window_s);
     hold_contact_distortion(observation, believed);
+    guess_scales(observation, believed);
     observation.coarse = coarse_of(recording, head, observation, believed, options);
     return observation;
 }

@@ -31,6 +31,7 @@ struct Observation {
     std::vector<ObservedChannel> channels;
     std::vector<std::string> channel_names;    ///< as the recording calls them
     std::vector<bool> unknown_scale;           ///< per channel
+    std::vector<double> log_scale;             ///< per channel, or none: first guess of the log power of a scale that is unknown; 0 where it is known
     std::vector<double> noise_psd;             ///< per channel: first guess, squared unit per Hz
     recordings::WindowKernel kernel;
     ExpectationOptions expectation;

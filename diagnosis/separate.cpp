@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "diagnosis/channel_scales.hpp"
 #include "parameters/parameter_error.hpp"
 
 namespace railpem::diagnosis {
@@ -61,10 +62,13 @@ std::string would_separate(const FittedSet& first, const FittedSet& second, cons
             observation.payload_kg = test.payload_kg;
             const double speed = v * test.speed_factor;
             observation.expectation.high_hz = std::min(observation.expectation.high_hz, observation.expectation.high_hz * test.speed_factor);
+            const auto index = static_cast<std::size_t>(series - observations.begin());
             const auto expect = [&](const FittedSet& set) {
-                return expected_spectra(case_of(set.fit.trial, believed, observation), speed, observation.kernel, observation.channels, {}, observation.expectation);
+                ExpectedSpectra spectra = expected_spectra(case_of(set.fit.trial, believed, observation), speed, observation.kernel, observation.channels, {}, observation.expectation);
+                scale_channels(set.fit.trial.log_gain[index], spectra.values);
+                return spectra;
             };
-            const double nats = divergence(observation, static_cast<std::size_t>(series - observations.begin()), expect(first), expect(second), first.fit.trial);
+            const double nats = divergence(observation, index, expect(first), expect(second), first.fit.trial);
             if (nats > most) most = nats, best = &test;
         } catch (const parameters::ParameterError&) {
         }

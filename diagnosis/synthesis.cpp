@@ -6,6 +6,7 @@
 #include <numbers>
 #include <random>
 
+#include "diagnosis/channel_scales.hpp"
 #include "parameters/parameter_error.hpp"
 #include "pem/solution.hpp"
 #include "recordings/averages.hpp"
@@ -111,8 +112,9 @@ Observation observation_shape(double speed_m_per_s, double payload_kg, double se
 }
 
 Observation synthesise(const Observation& shape, std::size_t index, const Trial& truth, const BelievedCase& believed, std::uint64_t seed) {
-    const ExpectedSpectra expected = expected_spectra(case_of(truth, believed, shape), truth.speed_m_per_s[index], shape.kernel,
-                                                      shape.channels, {}, shape.expectation);
+    ExpectedSpectra expected = expected_spectra(case_of(truth, believed, shape), truth.speed_m_per_s[index], shape.kernel,
+                                                shape.channels, {}, shape.expectation);
+    scale_channels(truth.log_gain[index], expected.values);
     Trial sound = truth;
     std::fill(sound.floor.begin(), sound.floor.end(), 0.0);
     const Eigen::VectorXd noise = Eigen::Map<const Eigen::VectorXd>(truth.noise_psd[index].data(), static_cast<long>(truth.noise_psd[index].size()));

@@ -82,6 +82,24 @@ void add_irregularity(const BelievedCase& believed, const std::vector<Observatio
                         }});
 }
 
+/// The first guess of a channel's scale.
+double guessed_scale(const Observation& observation, std::size_t channel) { return observation.log_scale.empty() ? 0.0 : observation.log_scale[channel]; }
+
+/// The scale of every channel whose unit cannot be trusted.
+void add_scales(const Observation& observation, std::size_t o, std::vector<Unknown>& unknowns) {
+    for (std::size_t c = 0; c < observation.channels.size(); ++c)
+        if (observation.unknown_scale[c])
+            unknowns.push_back({.kind = UnknownKind::gain,
+                                .name = fmt::format("scale of {} in {}", observation.channel_names[c], observation.name),
+                                .mean = guessed_scale(observation, c),
+                                .deviation = kScaleDeviation,
+                                .low = guessed_scale(observation, c) - 40.0,
+                                .high = guessed_scale(observation, c) + 40.0,
+                                .observation = static_cast<int>(o),
+                                .index = static_cast<int>(c),
+                                .set = [o, c](Trial& trial, double x) { trial.log_gain[o][c] = x; }});
+}
+
 /// The discrepancy of a recording and of those that share it.
 void add_discrepancy(const std::vector<Observation>& observations, std::size_t o, std::vector<Unknown>& unknowns) {
     std::vector<std::size_t> led;
@@ -98,20 +116,6 @@ void add_discrepancy(const std::vector<Observation>& observations, std::size_t o
                         .set = [led](Trial& trial, double x) {
                             for (const std::size_t own : led) trial.discrepancy[own] = std::exp(x);
                         }});
-}
-
-/// The scale of every channel whose unit cannot be trusted.
-void add_scales(const Observation& observation, std::size_t o, std::vector<Unknown>& unknowns) {
-    for (std::size_t c = 0; c < observation.channels.size(); ++c)
-        if (observation.unknown_scale[c])
-            unknowns.push_back({.kind = UnknownKind::gain,
-                                .name = fmt::format("scale of {} in {}", observation.channel_names[c], observation.name),
-                                .deviation = kScaleDeviation,
-                                .low = -40.0,
-                                .high = 40.0,
-                                .observation = static_cast<int>(o),
-                                .index = static_cast<int>(c),
-                                .set = [o, c](Trial& trial, double x) { trial.log_gain[o][c] = x; }});
 }
 
 /// The width of all lines. Held at a guess it is taken from their power: a line narrower than believed has less beside its bin than the model says, and the
@@ -131,7 +135,8 @@ void add_fluctuation(const BelievedCase& believed, const std::vector<Observation
 void add_recording(const std::vector<Observation>& observations, std::vector<Unknown>& unknowns) {
     for (std::size_t o = 0; o < observations.size(); ++o) {
         const Observation& observation = observations[o];
-        if (observation.scalar) add_discrepancy(observations, o, unknowns), add_scales(observation, o, unknowns);
+        if (observation.scalar) add_discrepancy(observations, o, unknowns);
+        add_scales(observation, o, unknowns);
         if (!reaches(observation, Element::irregularity)) continue;
         const double speed = observation.speed_m_per_s;
         unknowns.push_back({.kind = UnknownKind::speed,
@@ -211,7 +216,8 @@ Trial believed_trial(const BelievedCase& believed, const std::vector<Observation
         trial.speed_m_per_s.push_back(observation.speed_m_per_s);
         trial.noise_psd.push_back(observation.noise_psd);
         trial.discrepancy.push_back(observation.scalar ? kScalarDiscrepancy : 0.0);
-        trial.log_gain.emplace_back(observation.channels.size(), 0.0);
+        trial.log_gain.emplace_back();
+        for (std::size_t c = 0; c < observation.channels.size(); ++c) trial.log_gain.back().push_back(guessed_scale(observation, c));
     }
     return trial;
 }

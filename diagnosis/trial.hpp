@@ -23,7 +23,7 @@ struct Trial {
     std::vector<double> speed_m_per_s;            ///< per observation
     std::vector<std::vector<double>> noise_psd;   ///< per observation and channel
     std::vector<double> discrepancy;              ///< per observation: relative deviation of a scalar value that the model class cannot say
-    std::vector<std::vector<double>> log_gain;    ///< per observation and channel: of a scalar level whose unit cannot be trusted
+    std::vector<std::vector<double>> log_gain;    ///< per observation and channel: of the power of one whose unit cannot be trusted
     /// Relative amplitude of what the model class cannot say, incoherent between channels: [group][node].
     std::vector<double> floor = std::vector<double>(static_cast<std::size_t>(kFloorGroups) * kFloorNodeCount, 0.0);
 };

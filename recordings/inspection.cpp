@@ -11,6 +11,7 @@
 #include "recordings/checks/checks.hpp"
 #include "recordings/inspected_section.hpp"
 #include "recordings/spectrogram.hpp"
+#include "recordings/stated_speed.hpp"
 #include "recordings/units.hpp"
 
 namespace railpem::recordings {
@@ -124,8 +125,9 @@ InspectionReport header(const Recording& recording) {
     report.title = recording.description.title;
     report.file = recording.file;
     report.kind = recording.description.kind;
-    report.stated_speed_m_per_s = recording.description.speed_m_per_s;
-    report.stated_speed_error_m_per_s = recording.description.speed_standard_error_m_per_s;
+    const StatedSpeed speed = stated_speed(recording);
+    report.stated_speed_m_per_s = speed.m_per_s;
+    report.stated_speed_error_m_per_s = speed.standard_error;
     report.lacks = recording.lacks;
     report.notes = recording.notes;
     report.spectra = recording.spectra;
@@ -133,22 +135,6 @@ InspectionReport header(const Recording& recording) {
     report.decay_rate = recording.decay_rate;
     take_irregularity(recording.irregularity, report);
     return report;
-}
-
-/// A speed channel stands in for a stated speed: its mean, and how well its values allow to know it.
-void take_speed_channel(const TimeSeries& series, InspectionReport& report) {
-    if (report.stated_speed_m_per_s > 0.0) return;
-    double sum = 0.0, square = 0.0, count = 0.0;
-    for (const double v : series.speed_m_per_s)
-        if (std::isfinite(v)) {
-            sum += v;
-            square += v * v;
-            count += 1.0;
-        }
-    if (count == 0.0 || sum <= 0.0) return;
-    report.stated_speed_m_per_s = sum / count;
-    report.stated_speed_error_m_per_s = std::max(std::sqrt(std::max(0.0, square / count - sum / count * sum / count)),
-                                                 0.005 * report.stated_speed_m_per_s);
 }
 
 }  // namespace
@@ -164,7 +150,6 @@ InspectedSection inspect_section(const Recording& recording, const InspectionCon
     report.duration_s = series.duration_s();
     report.sampling_rate_hz = series.sampling_rate_hz;
     report.samples = series.size();
-    take_speed_channel(series, report);
     section.spectra = spectra_of(series);
     const checks::Evidence evidence = gather(recording, context, section.spectra);
     if (evidence.speed) {

@@ -144,7 +144,8 @@ def page(rows, sections, paper_rows, texts):
     figures = "\n\n".join(f"![decay rates of section {s}](niederwangen_{s.lower()}.png)" for s in sections)
     return f"""# Real recordings that are no time series
 
-Written by `scripts/diagnose_real.py`; every verdict is the program's own, wrong or right.
+Written by `scripts/diagnose_real.py`; every verdict is the program's own, wrong or right. Time series:
+[two kilometres of axle-box acceleration](two_kilometres.md).
 
 ## Track decay rates before and after rail dampers
 
