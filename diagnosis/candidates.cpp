@@ -19,6 +19,7 @@ namespace railpem::diagnosis {
 namespace {
 
 constexpr int kFrequencyPoints = 10;   ///< of a grid over a frequency or wavelength
+constexpr double kWavelengthStep = 0.12;  ///< of a grid over wavelengths, relative: narrow bands between coarser ones (a third apart) went unseen, or were taken for wide ones elsewhere
 constexpr int kOtherPoints = 3;
 constexpr double kMildShare = 0.3;     ///< of the way from the weak end of a strength's range
 constexpr double kMildGain = 1.05, kMildDelay_s = 0.5e-3;
@@ -64,7 +65,7 @@ std::vector<double> looking_points(const Effect& effect, const EffectParameter& 
             return longest > parameter.low ? std::vector<double>{std::min(parameter.typical, longest)} : std::vector<double>{};
         }
         const double from = std::max(parameter.low, shortest), to = std::min(parameter.high, longest);
-        return from < to ? grid(parameter, from, to, 2 * kFrequencyPoints) : std::vector<double>{};
+        return from < to ? grid(parameter, from, to, 2 + static_cast<int>(std::log(to / from) / kWavelengthStep)) : std::vector<double>{};
     }
     if (!parameter.strength) {
         if (effect.id == "support-compliance") return grid(parameter, parameter.low, parameter.high, kOtherPoints);
