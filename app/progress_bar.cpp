@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 namespace railpem::app {
@@ -23,7 +24,7 @@ std::string progress_line(const std::string& label, double share, double elapsed
     constexpr int kWidth = 30;
     const double within = std::clamp(share, 0.0, 1.0);
     const int filled = static_cast<int>(within * kWidth);
-    const long remaining = within > 0.0 ? static_cast<long>(elapsed_s * (1.0 - within) / within + 0.5) : 0;
+    const long remaining = within > 0.0 ? std::lround(elapsed_s * (1.0 - within) / within) : 0;
     return fmt::format(
         "{}  [{}{}] {:3.0f} %  remaining {}:{:02}", label, std::string(static_cast<std::size_t>(filled), '#'),
         std::string(static_cast<std::size_t>(kWidth - filled), ' '), 100.0 * within, remaining / 60, remaining % 60);

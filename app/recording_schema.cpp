@@ -47,7 +47,7 @@ constexpr const char* kRecordingIntroduction =
 fs::path description_path(const std::string& path) {
     std::error_code status;
     if (fs::is_directory(path, status)) {
-        const fs::path inside = fs::path(path) / kDescriptionName;
+        fs::path inside = fs::path(path) / kDescriptionName;
         if (!fs::exists(inside, status))
             throw InputError(
                 fmt::format("{}: the folder holds no {}\nallowed: the folder of a recording, or its description", path,

@@ -114,8 +114,8 @@ class Asking final : public Dispenser {
         std::array<std::uint64_t, 2> answer{};
         MPI_Request request;
         MPI_Irecv(answer.data(), 2, MPI_UINT64_T, 0, kAnswer, MPI_COMM_WORLD, &request);
-        wait_for(request);
-        range_ = {answer[0], answer[1]};
+        wait_for(request);  // by MPI_Test, which clang-tidy does not take for waiting
+        range_ = {answer[0], answer[1]};  // NOLINT(clang-analyzer-optin.mpi.MPI-Checker)
         empty_ = range_.begin == range_.end;
     }
 

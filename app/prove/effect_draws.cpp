@@ -96,7 +96,7 @@ std::vector<EffectDraw> outside_vehicle_draws() {
     };
 }
 
-std::vector<EffectDraw> merged(std::vector<std::vector<EffectDraw>> lists) {
+std::vector<EffectDraw> merged(const std::vector<std::vector<EffectDraw>>& lists) {
     std::vector<EffectDraw> all;
     for (const std::vector<EffectDraw>& list : lists) all.insert(all.end(), list.begin(), list.end());
     return all;
