@@ -13,14 +13,14 @@
 namespace railpem::diagnosis {
 namespace {
 
-constexpr const char* kTrack = "cases/ballasted/uic60.toml";
-constexpr double kError = 0.1;
+constexpr const char* kSection = "cases/ballasted/uic60.toml";
+constexpr double kDayError = 0.1;
 
 /// What no beam on springs says of this track: up to a third more and less, from one third-octave to the next but one.
 double unsaid(double frequency_hz) { return std::exp(0.3 * std::sin(7.0 * std::log(frequency_hz))); }
 
 recordings::Recording day(const pem::CaseParameters& truth, unsigned seed) {
-    recordings::Recording recording = decay_recording(truth, kError, seed);
+    recordings::Recording recording = decay_recording(truth, kDayError, seed);
     for (std::size_t i = 0; i < recording.decay_rate.centre_hz.size(); ++i) {
         recording.decay_rate.decay_rate_db_per_m[i] *= unsaid(recording.decay_rate.centre_hz[i]);
         recording.decay_rate.standard_error_db_per_m[i] *= unsaid(recording.decay_rate.centre_hz[i]);
@@ -44,7 +44,7 @@ BelievedCase fitted(const BelievedCase& track) {
 }
 
 TEST(HoldOutRecordings, WholeOnesAndOneDiscrepancy) {
-    const BelievedCase track = believed_file(kTrack);
+    const BelievedCase track = believed_file(kSection);
     const std::vector<Observation> observations = days(track.numbers, track, 1, 4);
     for (std::size_t o = 0; o < 4; ++o)
         for (const ScalarValue& value : observations[o].scalar->values) {
@@ -56,7 +56,7 @@ TEST(HoldOutRecordings, WholeOnesAndOneDiscrepancy) {
 }
 
 TEST(HoldOutRecordings, OneAloneKeepsItsBands) {
-    const BelievedCase track = believed_file(kTrack);
+    const BelievedCase track = believed_file(kSection);
     const std::vector<Observation> observations = days(track.numbers, track, 1, 1);
     const auto& values = observations[0].scalar->values;
     const auto held = std::count_if(values.begin(), values.end(), [](const ScalarValue& own) { return own.held_out; });
@@ -65,23 +65,23 @@ TEST(HoldOutRecordings, OneAloneKeepsItsBands) {
 }
 
 TEST(DecayRateReference, IsWhatTheFittedCaseLeaves) {
-    const BelievedCase track = believed_file(kTrack);
+    const BelievedCase track = believed_file(kSection);
     const BelievedCase later = fitted(track);
     const std::vector<Observation> observations = days(track.numbers, later, 11, 1);
-    // Predictions are logarithms of predicted by recorded: with the reference only the errors of three days are left, kError·√(1 + 1/2), and four of those are rare among seventeen.
-    for (const std::complex<double> left : predict_scalars(later.numbers, 0.0, observations[0], nullptr, Reuse::nothing, nullptr)) EXPECT_LT(std::abs(left.real()), 4.0 * 1.23 * kError);
-    EXPECT_NEAR(observations[0].scalar->values[0].shared_deviation, kError / std::sqrt(2.0), 0.2 * kError);
+    // Predictions are logarithms of predicted by recorded: with the reference only the errors of three days are left, kDayError·√(1 + 1/2), and four of those are rare among seventeen.
+    for (const std::complex<double> left : predict_scalars(later.numbers, 0.0, observations[0], nullptr, Reuse::nothing, nullptr)) EXPECT_LT(std::abs(left.real()), 4.0 * 1.23 * kDayError);
+    EXPECT_NEAR(observations[0].scalar->values[0].shared_deviation, kDayError / std::sqrt(2.0), 0.2 * kDayError);
 }
 
 TEST(TrackStates, AnUnchangedTrackIsConsistent) {
-    const BelievedCase track = believed_file(kTrack);
+    const BelievedCase track = believed_file(kSection);
     const BelievedCase later = fitted(track);
     const Diagnosis diagnosis = diagnose(later, days(track.numbers, later, 21, 4), {.threads = 2});
     EXPECT_EQ(diagnosis.verdict, Verdict::consistent) << diagnosis.statement;
 }
 
 TEST(TrackStates, DampersOfTwoMassesAreNamed) {
-    const BelievedCase track = believed_file(kTrack);
+    const BelievedCase track = believed_file(kSection);
     const BelievedCase later = fitted(track);
     pem::CaseParameters truth = track.numbers;
     truth.track.rail_dampers.push_back({.mass_kg_per_m = 12.0, .frequency_hz = 630.0, .loss_factor = 0.3});
