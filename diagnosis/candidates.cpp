@@ -19,7 +19,7 @@ namespace railpem::diagnosis {
 namespace {
 
 constexpr int kFrequencyPoints = 10;   ///< of a grid over a frequency or wavelength
-constexpr double kWavelengthStep = 0.12;  ///< of a grid over wavelengths, relative: narrow bands between coarser ones (a third apart) went unseen, or were taken for wide ones elsewhere
+constexpr double kWavelengthStep = 0.05;  ///< of a grid over wavelengths, relative: as narrow as the bands that are looked for. A band of 5 % between points of 12 % went unseen, or was taken for a wide one elsewhere
 constexpr int kOtherPoints = 3;
 constexpr double kMildShare = 0.3;     ///< of the way from the weak end of a strength's range
 constexpr double kMildGain = 1.05, kMildDelay_s = 0.5e-3;

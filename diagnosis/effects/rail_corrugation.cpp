@@ -21,7 +21,7 @@ Effect rail_corrugation() {
                         .unit = "1",
                         .low = 0.005,
                         .high = 0.5,
-                        .typical = 0.08,
+                        .typical = 0.05,
                         .spread = Spread::logarithmic,
                         .says = "relative standard deviation of the spatial frequency"},
                        {.name = "rms_m",

@@ -49,7 +49,7 @@ TEST(EffectRefusals, Ranges) {
     const EffectInstance undefined{.effect = "rail-damper",
                                    .values = {{"frequency_hz", std::numeric_limits<double>::quiet_NaN()}}};
     const std::string message =
-        "effect.frequency_hz: 'frequency_hz' of 'rail-damper' cannot be nan; allowed: a number between 30 and 2000, in "
+        "effect.frequency_hz: 'frequency_hz' of 'rail-damper' cannot be nan; allowed: a number between 30 and 6000, in "
         "Hz";
     EXPECT_EQ(refusal(undefined), message);
     EXPECT_EQ(refusal(undefined, true), message);
