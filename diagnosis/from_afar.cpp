@@ -64,16 +64,15 @@ FittedSet blunt_from_afar(const BelievedCase& believed, const std::vector<Candid
 FittedSet half_sharpened(const BelievedCase& believed, const FittedSet& blunt, const LikelihoodContext& context, const std::function<void()>& between) {
     FitOptions options{.iterations = kStepsOfAStage, .stages = {kBluntFloor}, .stage_iterations = kStepsOfAStage};
     options.between = between;
-    LikelihoodContext half = context;
-    half.least_floor = kHalfSharpFloor;
-    const Fit values{.trial = blunt.fit.trial, .unknowns = blunt.fit.unknowns, .values = blunt.fit.values};  // its derivatives are of short windows
-    return fit_set(believed, values, blunt.effects, blunt.released, {}, half, options);
+    const LikelihoodContext half = blunted(context, kHalfSharpFloor);
+    return fit_set(believed, blunt.fit, blunt.effects, blunt.released, {}, half, options);
 }
 
 FittedSet sharpened(const BelievedCase& believed, const FittedSet& half_sharp, const LikelihoodContext& context, const std::function<void()>& between) {
     FitOptions options{.iterations = 20, .stages = {0.015, 0.006, 0.0025}, .stage_iterations = kStepsOfAStage};
     options.between = between;
-    return fit_set(believed, half_sharp.fit, half_sharp.effects, half_sharp.released, {}, context, options);
+    const Fit values{.trial = half_sharp.fit.trial, .unknowns = half_sharp.fit.unknowns, .values = half_sharp.fit.values};  // its derivatives are of short windows
+    return fit_set(believed, values, half_sharp.effects, half_sharp.released, {}, context, options);
 }
 
 }  // namespace railpem::diagnosis

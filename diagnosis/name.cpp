@@ -134,11 +134,8 @@ class Search {
 
     /// Half sharp, what is there leaves next to nothing of what retuning misses, unless its law is an approximation.
     bool is_worth_sharpening(const FittedSet& half, const Fit& retuned) const {
-        LikelihoodContext half_sharp = context_;
-        half_sharp.least_floor = kHalfSharpFloor;
-        Fit fine = retuned;  // of short windows so far
-        fine.predictions = predict(retuned.trial, half_sharp);
-        return is_approximate(half) || missed_by(half.fit, half_sharp) < kHalfSharpMiss * missed_by(fine, half_sharp);
+        const LikelihoodContext half_sharp = blunted(context_, kHalfSharpFloor);
+        return is_approximate(half) || missed_by(half.fit, half_sharp) < kHalfSharpMiss * missed_by(retuned, half_sharp);
     }
 
     std::vector<Promise> screened(const Fit& fit) {
