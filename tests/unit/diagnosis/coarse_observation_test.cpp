@@ -1,0 +1,77 @@
+// The recording in short windows, which blunt likelihoods are asked about.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "diagnosis/from_afar.hpp"
+#include "diagnosis/observation.hpp"
+#include "scalar_recordings.hpp"
+
+namespace railpem::diagnosis {
+namespace {
+
+/// Noise in two channels: what is asked here does not depend on what was measured.
+recordings::Recording noise_recording(double seconds) {
+    recordings::Recording recording;
+    recording.description.speed_m_per_s = 22.0;
+    recording.series.sampling_rate_hz = 1000.0;
+    std::mt19937_64 random(5);
+    std::normal_distribution<double> normal;
+    for (const auto& [name, location] : {std::pair{"axlebox_1", recordings::Location::wheel}, std::pair{"bogie_1", recordings::Location::bogie}}) {
+        recordings::Channel channel{.description = {.name = name, .location = location, .index = 1}};
+        for (int i = 0; i < static_cast<int>(1000.0 * seconds); ++i) channel.samples.push_back(normal(random));
+        recording.series.channels.push_back(std::move(channel));
+    }
+    return recording;
+}
+
+Observation observed_noise(const BelievedCase& believed, const ObservationOptions& options = {}) { return observe(noise_recording(60.0), "noise", believed.numbers, options); }
+
+TEST(CoarseObservation, HasTheBandInFewerBins) {
+    const BelievedCase believed = believed_file("cases/wei2016/case1.toml");
+    const Observation fine = observed_noise(believed);
+    ASSERT_TRUE(fine.coarse);
+    EXPECT_DOUBLE_EQ(fine.coarse->kernel.bin_hz(), 0.5);
+    EXPECT_EQ(fine.coarse->expectation.low_hz, fine.expectation.low_hz);
+    EXPECT_EQ(fine.coarse->expectation.high_hz, fine.expectation.high_hz);
+    EXPECT_NEAR(static_cast<double>(fine.coarse->bins()), 0.5 * static_cast<double>(fine.bins()), 2.0);
+    EXPECT_GT(fine.coarse->fitted.averages, 1.8 * fine.fitted.averages);  // the same seconds
+}
+
+TEST(CoarseObservation, IsNotMadeWhereItWouldHoldTooLittle) {
+    const BelievedCase believed = believed_file("cases/wei2016/case1.toml");
+    EXPECT_FALSE(observed_noise(believed, {.high_hz = 10.0}).coarse);
+}
+
+/// The floor of a blunt likelihood is a tenth or, half sharp, kHalfSharpFloor of a channel's power: its grids leave less than half of the smaller one, most of that (1.3 %) at 22 Hz, where the
+/// irregularity of the paper jumps by a factor of 16.
+TEST(CoarseObservation, GridsLeaveLessThanTheFloor) {
+    const BelievedCase believed = believed_file("cases/wei2016/case1.toml");
+    const Observation coarse = *observed_noise(believed).coarse;
+    ExpectationOptions fine = coarse.expectation;
+    fine.transfer_step_hz = 0.0625;
+    fine.rail_every = 1;
+    fine.oversampling *= 3;
+    fine.weights = expectation_weights(coarse.kernel, fine.oversampling);
+    const auto spectra = [&](const ExpectationOptions& options) { return expected_spectra(believed.numbers, coarse.speed_m_per_s, coarse.kernel, coarse.channels, {}, options); };
+    const ExpectedSpectra own = spectra(coarse.expectation), exact = spectra(fine);
+    ASSERT_EQ(own.values.size(), exact.values.size());
+    for (std::size_t bin = 0; bin < own.bins(); ++bin)
+        for (long c = 0; c < 2; ++c)
+            EXPECT_NEAR(own.matrix(bin)(c, c).real() / exact.matrix(bin)(c, c).real(), 1.0, 0.5 * kHalfSharpFloor) << coarse.frequency(bin) << " Hz";
+}
+
+TEST(CoarseObservation, IsWhatABluntLikelihoodIsAskedAbout) {
+    const BelievedCase believed = believed_file("cases/wei2016/case1.toml");
+    const std::vector<Observation> fine{observed_noise(believed)}, coarse = coarse_observations(fine);
+    const LikelihoodContext context{.believed = &believed, .observations = &fine, .coarse = &coarse};
+    EXPECT_EQ(blunted(context, 0.1).observations, &coarse);
+    EXPECT_EQ(blunted(context, 0.1).least_floor, 0.1);
+    const LikelihoodContext alone{.believed = &believed, .observations = &fine};
+    EXPECT_EQ(blunted(alone, 0.1).observations, &fine);
+}
+
+}  // namespace
+}  // namespace railpem::diagnosis
