@@ -97,7 +97,7 @@ inline std::vector<ChannelDifference> compare(pem::CaseParameters parameters, co
             double energy_marched = 0.0;
             double energy_solved = 0.0;
             for (std::size_t k = 1; k <= solution.frequency_hz.size(); ++k) {
-                const double f = resolution * static_cast<double>(k);
+                const double f = solution.frequency_hz[k - 1];  // to the last bit: a band of the irregularity may begin here
                 if (f < centre * std::pow(2.0, -1.0 / 12.0) || f >= centre * std::pow(2.0, 1.0 / 12.0)) continue;
                 const double s = spectra::irregularity_psd_m2_per_hz(parameters.irregularity, f, speed);
                 if (s <= 0.0) continue;
