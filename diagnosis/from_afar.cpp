@@ -1,6 +1,8 @@
 #include "diagnosis/from_afar.hpp"
 
 #include <algorithm>
+#include <map>
+#include <string>
 #include <utility>
 
 namespace railpem::diagnosis {
@@ -37,22 +39,48 @@ std::vector<Candidate> starts_of(const std::vector<Candidate>& variants) {
     return starts;
 }
 
+/// Whether an effect comes in many numbered variants (orders of a wheel, every n-th seat): those are told by their lines, which the first
+/// derivative sees wherever the fit stands.
+bool is_numbered(const Effect& effect) {
+    return std::any_of(effect.choices.begin(), effect.choices.end(), [](const EffectChoice& choice) { return choice.whole_number; });
+}
+
 }  // namespace
 
-FittedSet blunt_from_afar(const BelievedCase& believed, const std::vector<Candidate>& variants, const LikelihoodContext& context,
-                          const std::function<void()>& between) {
+std::vector<std::vector<Candidate>> variants_from_afar(const std::vector<Candidate>& candidates, const std::vector<Candidate>& members,
+                                                       const std::function<bool(Element)>& evident) {
+    std::map<std::string, std::size_t> places;
+    std::vector<std::vector<Candidate>> variants;
+    for (const Candidate& candidate : candidates) {
+        const Effect& effect = *find_effect(candidate.instance.effect);
+        const Element element = element_of(effect, candidate.instance);
+        if (element == Element::sensor || element == Element::irregularity || element == Element::contact || is_numbered(effect)) continue;
+        if (!evident(element) && !effect.follows_load) continue;
+        const auto is_it = [&](const Candidate& own) { return same_variant(own.instance, candidate.instance); };
+        if (std::count_if(members.begin(), members.end(), is_it) >= effect.most_instances) continue;
+        const auto [place, is_new] = places.try_emplace(label_of(candidate.instance), variants.size());
+        if (is_new) variants.emplace_back();
+        variants[place->second].push_back(candidate);
+    }
+    return variants;
+}
+
+FittedSet blunt_from_afar(const BelievedCase& believed, const std::vector<Candidate>& members, const std::vector<Candidate>& variants,
+                          const LikelihoodContext& context, const std::function<void()>& between) {
     FitOptions options{.iterations = kBluntIterations, .from_far = false};
     options.between = between;
     const LikelihoodContext blunt = blunted(context, kBluntFloor);
-    std::vector<std::pair<double, Candidate>> starts;
-    for (Candidate& start : starts_of(variants)) {
-        const Supposition supposition = suppose(believed, Fit{}, {start}, {}, {}, blunt);
-        starts.emplace_back(log_posterior_at(supposition.trial, supposition.unknowns, supposition.start, blunt), std::move(start));
+    std::vector<std::pair<double, std::vector<Candidate>>> starts;
+    for (const Candidate& start : starts_of(variants)) {
+        std::vector<Candidate> set = members;
+        set.push_back(start);
+        const Supposition supposition = suppose(believed, Fit{}, set, {}, {}, blunt);
+        starts.emplace_back(log_posterior_at(supposition.trial, supposition.unknowns, supposition.start, blunt), std::move(set));
     }
     std::stable_sort(starts.begin(), starts.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
     FittedSet best;
     for (std::size_t i = 0; i < std::min(kClimbed, starts.size()); ++i) {
-        FittedSet set = fit_set(believed, Fit{}, {starts[i].second}, {}, {}, blunt, options);
+        FittedSet set = fit_set(believed, Fit{}, starts[i].second, {}, {}, blunt, options);
         if (best.effects.empty() || set.fit.log_posterior > best.fit.log_posterior) best = std::move(set);
     }
     options.iterations = kFurtherBluntIterations;

@@ -29,12 +29,6 @@ constexpr double kHalfSharpMiss = 0.05; ///< of what retuning misses, a single t
 constexpr double kMinor = 0.05;        ///< share of what a set explains: for what is left of that order no other set is sought in its place
 constexpr std::size_t kSharpened = 3;  ///< of the effects fitted from afar: those that the blunt likelihood prefers, until nothing is left
 
-/// Whether an effect comes in many numbered variants (orders of a wheel, every n-th seat): those are told by their lines, which the first
-/// derivative sees wherever the fit stands.
-bool is_numbered(const Effect& effect) {
-    return std::any_of(effect.choices.begin(), effect.choices.end(), [](const EffectChoice& choice) { return choice.whole_number; });
-}
-
 /// Length of the unseen part by that of the fitted one: in seconds, or in values where there are only those.
 double unseen_share(const std::vector<Observation>& observations) {
     double fitted = 0.0, unseen = 0.0;
@@ -119,6 +113,7 @@ class Search {
         }
         if (search.misses()) search.rescue_round();  // before anything is added to what stands in for it
         search.further_rounds(2);
+        search.rescue_beside();
         const FittedSet& best = search.trials_.leading();
         if (best.score() > std::max(single, found.retuned.score()) + options_.least_gain) sharpen(half_sharp(best));
         if (!result_.sets.empty()) further_rounds(static_cast<int>(trials_.leading().members()) + 1);
@@ -193,35 +188,35 @@ class Search {
         return std::any_of(left.begin(), left.end(), [&](const LocatedEvidence& own) { return own.place.element == element && own.nats > kEvident * most; });
     }
 
-    /// A strong effect distorts the retuned case so much that no first derivative finds it from there. Effects of the evident
+    /// A strong effect distorts the retuned case so much that no first derivative finds it from there, and as little beside `members` while it is not among them. Effects of the evident
     /// places, and those that follow the load, are fitted as the retuned case was: from the believed numbers, at a typical strength, with a blunt likelihood first.
-    void rescue_round() {
+    void rescue_round(const std::vector<Candidate>& members = {}) {
         if (result_.left_by_retuned.empty()) result_.left_by_retuned = locate(result_.retuned.fit, context_);
         const auto is_evident = [&](Element element) {
             if (element == Element::support) element = Element::pad;  // rigid ground has no correction of its own
             return is_among(result_.left_by_retuned, element) || is_among(result_.left_by_best, element);
         };
-        std::map<std::string, std::vector<Candidate>> variants;
-        std::vector<std::string> labels;  // in the order of the candidates
-        for (const Candidate& candidate : result_.candidates) {
-            const Effect& effect = *find_effect(candidate.instance.effect);
-            const Element element = element_of(effect, candidate.instance);
-            if (element == Element::sensor || element == Element::irregularity || element == Element::contact || is_numbered(effect)) continue;
-            if (!is_evident(element) && !effect.follows_load) continue;
-            const std::string label = label_of(candidate.instance);
-            if (variants[label].empty()) labels.push_back(label);
-            variants[label].push_back(candidate);
-        }
         std::vector<FittedSet> blunt;
-        for (const std::string& label : labels) blunt.push_back(blunt_from_afar(believed_, variants[label], context_, [this, label] { say(label + " from afar", 0.7); }));
+        for (const std::vector<Candidate>& variants : variants_from_afar(result_.candidates, members, is_evident)) {
+            const std::string label = label_of(variants.front().instance);
+            blunt.push_back(blunt_from_afar(believed_, members, variants, context_, [this, label] { say(label + " from afar", 0.7); }));
+        }
         if (trials_.is_blunt()) return static_cast<void>(std::move(blunt.begin(), blunt.end(), std::back_inserter(result_.sets)));
         std::stable_sort(blunt.begin(), blunt.end(), [](const FittedSet& a, const FittedSet& b) { return a.fit.log_posterior > b.fit.log_posterior; });
         for (std::size_t i = 0; i < std::min(kSharpened, blunt.size()); ++i) {
-            const std::string label = label_of(blunt[i].effects.front().instance);
+            const std::string label = label_of(blunt[i].effects.back().instance);
             const auto between = [this, label] { say(label + " from afar", 0.7); };
             result_.sets.push_back(sharpened(believed_, half_sharpened(believed_, blunt[i], context_, between), context_, between));
             if (leaves_little()) break;
         }
+    }
+
+    /// The best single leaves much, and no derivative beside it leads to what explains that: the second of two strong effects.
+    void rescue_beside() {
+        const FittedSet* single = trials_.best(1);
+        if (!misses() || single == nullptr || single->effects.empty()) return;
+        left_over();
+        rescue_round(single->effects);
     }
 
     void first_round() {

@@ -45,10 +45,28 @@ TEST(StrongEffect, TunedMassOnTheRailIsFoundFromAfar) {
     made.draw(7);
     std::vector<Candidate> variants = candidates(made.believed, believed_trial(made.believed, made.observations), made.observations).candidates;
     std::erase_if(variants, [](const Candidate& own) { return own.instance.effect != "rail-damper"; });
-    const FittedSet found = blunt_from_afar(made.believed, variants, made.context(Part::fitted, 2), [] {});
+    const FittedSet found = blunt_from_afar(made.believed, {}, variants, made.context(Part::fitted, 2), [] {});
     const std::map<std::string, double>& values = found.fit.trial.effects.back().values;
     EXPECT_NEAR(values.at("frequency_hz"), 120.0, 6.0);
     EXPECT_NEAR(values.at("mass_kg_per_m"), 15.0, 3.0);
+}
+
+// Beside friction alone no derivative leads to a mass on the rail: a rail of another mass, or one that shears, stands in for it.
+TEST(StrongEffect, SecondOfTwoIsFoundFromAfarBesideTheFirst) {
+    Synthesised made = synthesised(paper_believed({"vehicle.wheelset_mass_kg", "vehicle.secondary.damping_n_s_per_m", "track.rail.second_moment_of_area_m4", "track.rail.mass_kg_per_m",
+                                                   "track.pads.static_stiffness_n_per_m", "track.pads.damping_n_s_per_m", "contact.constant_m_per_n23"}),
+                                   {13.4, 39.9}, 60.0, nine_channels(), {.window_s = 2.0, .low_hz = 2.0, .high_hz = 175.0});
+    made.truth.effects.push_back({.effect = "suspension-friction", .values = {{"force_n", 1000.0}}, .choices = {{"stage", "secondary"}}});
+    made.truth.effects.push_back({.effect = "rail-damper", .values = {{"mass_kg_per_m", 14.6}, {"frequency_hz", 115.6}, {"loss_factor", 0.12}}, .choices = {}});
+    made.draw(8);
+    DiagnoseOptions options{.threads = 2};
+    options.naming.without = all_but({"rail-damper", "suspension-friction", "rail-shear", "parameter-error"});
+    const Diagnosis found = diagnose(made.believed, made.observations, options);
+    ASSERT_EQ(found.omitted.size(), 2u);
+    for (const NamedEffect& own : found.omitted) {
+        if (own.instance.effect != "rail-damper") continue;
+        EXPECT_NEAR(own.parameters.front().value, 14.6, 0.3);
+    }
 }
 
 }  // namespace
