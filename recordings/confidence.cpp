@@ -1,6 +1,5 @@
 #include "recordings/confidence.hpp"
 
-#include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/fisher_f.hpp>
 #include <boost/math/distributions/normal.hpp>
@@ -25,13 +24,6 @@ double coherence_limit(double averages, double false_alarm) {
     return averages > 1.0 ? 1.0 - std::pow(false_alarm, 1.0 / (averages - 1.0)) : 1.0;
 }
 
-Interval coherence_interval(double coherence, double averages, double confidence) {
-    if (averages <= 1.0) return {0.0, 1.0};
-    const double z = std::atanh(std::sqrt(std::clamp(coherence, 0.0, 1.0 - 1e-15)));
-    const double width = normal_quantile_exceeded(0.5 * (1.0 - confidence)) / std::sqrt(2.0 * (averages - 1.0));
-    return {std::pow(std::tanh(std::max(0.0, z - width)), 2), std::pow(std::tanh(z + width), 2)};
-}
-
 double chi_squared_exceeded(double value, double degrees) {
     return value <= 0.0 ? 1.0 : bm::cdf(bm::complement(bm::chi_squared(degrees), value));
 }
@@ -51,9 +43,6 @@ double poisson_at_least(double count, double mean) {
 }
 double normal_quantile_exceeded(double p) {
     return bm::quantile(bm::complement(bm::normal(), p));
-}
-double student_quantile_exceeded(double p, double degrees) {
-    return bm::quantile(bm::complement(bm::students_t(degrees), p));
 }
 
 }  // namespace railpem::recordings

@@ -16,10 +16,6 @@ Interval spectrum_interval(double averages, double confidence = 0.9);
 /// 1 − p^{1/(K−1)} (Goodman 1957). 1 when K ≤ 1.
 double coherence_limit(double averages, double false_alarm = 0.05);
 
-/// Interval of the true coherence γ² from its estimate, by Fisher's transform atanh γ with standard deviation
-/// 1/√(2(K−1)) (Bendat & Piersol 2010, section 9.2.3).
-Interval coherence_interval(double coherence, double averages, double confidence = 0.9);
-
 /// Probability that a value is exceeded: χ² with n degrees of freedom, F with (n, m), standard normal, Student with n,
 /// Poisson (at least `count` when `mean` is expected).
 double chi_squared_exceeded(double value, double degrees);
@@ -28,8 +24,7 @@ double normal_exceeded(double value);
 double student_exceeded(double value, double degrees);
 double poisson_at_least(double count, double mean);
 
-/// The value that is exceeded with probability p: standard normal, and Student with n degrees of freedom.
+/// The value that a standard normal exceeds with probability p.
 double normal_quantile_exceeded(double p);
-double student_quantile_exceeded(double p, double degrees);
 
 }  // namespace railpem::recordings
