@@ -158,7 +158,6 @@ const std::vector<Refusal> kRefusals{
     {{"--seed", "1", "--profile-length", "3", "--profile-seed", "1"}, "--profile-length: 3 m of profile for "},
 };
 
-/// Refused with the whole message, and nothing is left behind: not even the folder of the truth.
 /// CSV of a profile with waves 5 m long, from `from_m` on for 800 m.
 std::string waves(double from_m, double amplitude_m) {
     std::string text = "position_m,height_m\n";
@@ -207,6 +206,7 @@ TEST(Simulate, ProfilesThatCannotBe) {
     EXPECT_FALSE(folder.has("out"));
 }
 
+/// Refused with the whole message, and nothing is left behind: not even the folder of the truth.
 TEST(Simulate, Refusals) {
     for (const Refusal& refusal : kRefusals) {
         const Folder folder;
