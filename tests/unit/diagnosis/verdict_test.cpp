@@ -178,5 +178,21 @@ TEST(Posterior, SumsToOne) {
     EXPECT_NEAR(sum, 1.0, 1e-12);
 }
 
+TEST(Statement, AmbiguousNamesBothAndWhatWouldDecide) {
+    Diagnosis diagnosis;
+    diagnosis.verdict = Verdict::ambiguous;
+    diagnosis.rivals = {{.effects = {"rail-damper"}, .probability = 0.62, .would_separate = "a run at 33 m/s"}, {.effects = {"rail-shear", "sensor-gain"}, .probability = 0.38}};
+    EXPECT_EQ(statement_of(diagnosis), "Something is missing, and these cannot be told apart with what was recorded: rail-damper (62 %), or rail-shear with sensor-gain (38 %). "
+                                       "What would decide: a run at 33 m/s.");
+}
+
+TEST(Statement, UnexplainedNamesThePlace) {
+    Diagnosis diagnosis;
+    diagnosis.verdict = Verdict::unexplained;
+    EXPECT_EQ(statement_of(diagnosis), "Something is missing that no known effect explains: no place stands out.");
+    diagnosis.places = {{.element = Element::rail, .probability = 0.97, .nats = 14.2}, {.element = Element::pad, .probability = 0.03, .nats = 6.0}};
+    EXPECT_EQ(statement_of(diagnosis), "Something is missing that no known effect explains: the place where a free correction helps most is the rail (14 nats).");
+}
+
 }  // namespace
 }  // namespace railpem::diagnosis
