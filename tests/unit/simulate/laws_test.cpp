@@ -76,6 +76,28 @@ TEST(PadCurve, TangentFollowsTheLoad) {
     }
 }
 
+/// Through the points; at an inner one, neighbours at the same distance, the harmonic mean of the secants beside it (Fritsch & Butland 1984), at
+/// the ends and beyond them the secant.
+TEST(PadCurve, GivenPointByPoint) {
+    auto c = tests::paper_case(3);
+    track::PadParameters& pads = c.track.pads;
+    pads.force_polynomial_n.clear();
+    pads.curve_compression_m = {1.0e-3, 1.5e-3, 2.0e-3, 2.5e-3, 3.0e-3};
+    pads.curve_force_n = {8e3, 14e3, 22e3, 34e3, 52e3};
+    const PadCurve curve = static_curve(c.track, {});
+    const double unloaded = 20e3 + 60.0 * 9.81 * 0.6;
+    const auto place = [&](std::size_t i) { return curve.compression(pads.curve_force_n[i] - unloaded); };
+    const auto secant = [&](std::size_t i) { return (pads.curve_force_n[i + 1] - pads.curve_force_n[i]) / 0.5e-3; };
+    // Tables in steps of 2 µm between which lines are drawn: (2/500)² of the change of slope over half a millimetre.
+    for (std::size_t i = 1; i < 5; ++i) EXPECT_NEAR(place(i) - place(i - 1), 0.5e-3, 1e-8) << i;
+    for (std::size_t i = 1; i < 4; ++i) {
+        const double mean = 2.0 * secant(i - 1) * secant(i) / (secant(i - 1) + secant(i));
+        EXPECT_NEAR(curve.tangent(place(i)) / mean, 1.0, 2e-3) << i;
+    }
+    EXPECT_NEAR(curve.tangent(place(0) - 1e-4) / secant(0), 1.0, 2e-3);
+    EXPECT_NEAR(curve.tangent(place(4) + 1e-4) / secant(3), 1.0, 2e-3);
+}
+
 TEST(PadCurve, DeadBandCarriesATenth) {
     auto c = tests::paper_case(1);
     const double gap = 2e-4;
