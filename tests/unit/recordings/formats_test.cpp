@@ -269,7 +269,7 @@ TEST(Load, RefusesDescriptionsThatCannotBe) {
     const ScratchFolder folder;
     folder.write("r.csv", "a,v\n0,1\n1,2\n");
     folder.write("r.doc", "a,v\n0,1\n");
-    const auto key_of = [&](RecordingDescription d) {
+    const auto key_of = [&](const RecordingDescription& d) {
         try {
             load(d, folder.path());
         } catch (const parameters::ParameterError& error) {

@@ -263,11 +263,10 @@ TEST(Recording, WritersGiveHeaderRowsAndDescription) {
     write_csv(csv, recording);
     EXPECT_EQ(csv.str(), "time_s,axlebox_2,body_front\n0,1.5,0.125\n0.002,-0.25,3e-07\n");
     const std::string text = description(recording, "recording.csv");
-    for (const char* expected :
-         {"sampling_rate_hz = 500\n", "speed_m_per_s = 22.5\n", "payload_kg = 1200\n", "data = \"recording.csv\"\n",
-          "[[channel]]\nname = \"axlebox_2\"\ncolumn = \"axlebox_2\"\nquantity = \"acceleration\"\nunit = "
-          "\"m/s^2\"\nlocation = \"wheel\"\nindex = 2\n",
-          "location = \"body\"\nposition_m = 9\n"})
+    const char* const wheel = "[[channel]]\nname = \"axlebox_2\"\ncolumn = \"axlebox_2\"\nquantity = \"acceleration\"\nunit = "
+                              "\"m/s^2\"\nlocation = \"wheel\"\nindex = 2\n";
+    for (const char* expected : {"sampling_rate_hz = 500\n", "speed_m_per_s = 22.5\n", "payload_kg = 1200\n",
+                                 "data = \"recording.csv\"\n", wheel, "location = \"body\"\nposition_m = 9\n"})
         EXPECT_NE(text.find(expected), std::string::npos) << expected;
 }
 

@@ -102,8 +102,9 @@ lanes::Real same_omega(double frequency) { return lanes::broadcast(2.0 * std::nu
 track::StaticEquilibrium made_up_equilibrium(int count, double uniform) {
     track::StaticEquilibrium equilibrium;
     equilibrium.unloaded_dynamic_stiffness_n_per_m = uniform;
+    const int middle = (count - 1) / 2;
     for (int j = 0; j < count; ++j) {
-        const double x = (j - (count - 1) / 2) * 0.6;
+        const double x = (j - middle) * 0.6;
         equilibrium.position_m.push_back(x);
         const double loaded = std::exp(-std::pow(std::abs(std::abs(x) - 9.0) / 2.0, 2));
         equilibrium.dynamic_stiffness_n_per_m.push_back(uniform * (1.0 + loaded));

@@ -107,7 +107,8 @@ Dense dense_solution(double second_moment, double half_length_m) {
     Dense result{Eigen::VectorXd(pads.size()), Eigen::VectorXd(pads.size())};
     for (std::size_t j = 0; j < pads.size(); ++j) {
         result.compression_mm[j] = 1e3 * u[pads[j]];
-        result.position_m[j] = h * (pads[j] / 2 - middle);
+        const int node = pads[j] / 2;
+        result.position_m[j] = h * (node - middle);
     }
     return result;
 }
