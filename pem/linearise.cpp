@@ -7,14 +7,16 @@
 #include "pem/contact.hpp"
 #include "pem/solution.hpp"
 #include "pem/wheel_transfers.hpp"
+#include "track/anderson_mixing.hpp"
 
 namespace railpem::pem {
 
 namespace {
 
 constexpr int kMostIterations = 200;
-constexpr double kSettled = 1e-10;
-constexpr double kRelaxation = 0.7;   ///< of the new value; friction alone converges from below and above alternately
+constexpr double kSettled = 1e-12;  ///< differences of 1e-7 are taken of what follows from it
+constexpr double kRounding = 1e-8;  ///< below it what does not get smaller is rounding: a blocked stage hardly moves
+constexpr double kNear = 0.3;       ///< change from which on steps are mixed; friction that blocks its stage runs away to where nothing moves, and has to be let
 constexpr int kMostLines = 512;
 constexpr double kSmallestVelocity = 1e-9;  ///< m/s; keeps the equivalent damping finite when nothing moves
 
@@ -97,11 +99,16 @@ MeanSquares mean_squares(const std::vector<UnchangedGroup>& groups, const Couple
     return sums;
 }
 
-/// Moves `value` towards `target` and returns the relative change still asked for.
-double relax(double& value, double target) {
-    const double change = std::abs(target - value) / std::max(std::abs(target), 1e-300);
-    value += kRelaxation * (target - value);
-    return target == 0.0 ? 0.0 : change;
+/// The equivalent elements that are looked for. All are positive, and ask for powers of each other: their logarithms are iterated.
+std::vector<double*> elements_of(const CaseParameters& parameters, CoupledModel& model) {
+    std::vector<double*> result;
+    const auto add = [&](auto& values) {
+        for (double& value : values) result.push_back(&value);
+    };
+    if (parameters.vehicle.primary.friction_force_n > 0.0) add(model.car.friction.primary);
+    if (parameters.vehicle.secondary.friction_force_n > 0.0) add(model.car.friction.secondary);
+    if (parameters.contact.nonlinearity_factor > 0.0) add(model.contact_compliance);
+    return result;
 }
 
 double friction_damping(double force, double velocity) { return force * std::sqrt(2.0 / std::numbers::pi) / std::max(velocity, kSmallestVelocity); }
@@ -163,36 +170,57 @@ std::vector<RailGroup> linearisation_rails(const CaseParameters& parameters, con
     return rail_groups(model, parameters.frequency.from_hz, step, static_cast<std::size_t>(count), kEvery, 1);
 }
 
+namespace {
+
+/// What the elements, in the order of elements_of(), ought to be when the response has these mean squares.
+std::vector<double> targets_of(const CaseParameters& parameters, const MeanSquares& squares, const CoupledModel& model, Linearisation& result) {
+    std::vector<double> targets;
+    const double constant = contact_constant(parameters.contact, parameters.vehicle.wheel_radius_m), load = wheel_load_n(parameters);
+    for (std::size_t e = 0; e < 4; ++e) {
+        result.primary_velocity_m_per_s[e] = std::sqrt(squares.primary_velocity[e]);
+        if (const double force = parameters.vehicle.primary.friction_force_n; force > 0.0)
+            targets.push_back(friction_damping(force, result.primary_velocity_m_per_s[e]));
+    }
+    for (std::size_t e = 0; e < 2; ++e) {
+        result.secondary_velocity_m_per_s[e] = std::sqrt(squares.secondary_velocity[e]);
+        if (const double force = parameters.vehicle.secondary.friction_force_n; force > 0.0)
+            targets.push_back(friction_damping(force, result.secondary_velocity_m_per_s[e]));
+    }
+    for (std::size_t e = 0; e < 4; ++e) {
+        result.contact_compression_m[e] = std::sqrt(squares.contact_force[e]) * model.contact_compliance[e];
+        if (const double share = parameters.contact.nonlinearity_factor; share > 0.0) {
+            const MeanContact contact = mean_contact(constant, load, result.contact_compression_m[e]);
+            result.loss_of_contact_probability[e] = contact.open_probability;
+            const double linear = contact_stiffness(constant, load);
+            targets.push_back(1.0 / std::max(0.05 * linear, linear + share * (contact.stiffness_n_per_m - linear)));
+        }
+    }
+    return targets;
+}
+
+}  // namespace
+
 Linearisation linearise(const CaseParameters& parameters, const std::vector<Source>& sources, CoupledModel& model, const std::vector<RailGroup>* rails) {
     Linearisation result;
     if (!is_nonlinear(parameters)) return result;
-    const double constant = contact_constant(parameters.contact, parameters.vehicle.wheel_radius_m);
-    const double load = wheel_load_n(parameters);
-    const double linear = contact_stiffness(constant, load);
+    const std::vector<double*> elements = elements_of(parameters, model);
     const std::vector<UnchangedGroup> groups = unchanged_groups(parameters, sources, model, rails);
+    track::AndersonMixing mixing;
+    Eigen::VectorXd x(elements.size()), asked(elements.size());
     for (result.iterations = 1; result.iterations <= kMostIterations; ++result.iterations) {
-        const MeanSquares squares = mean_squares(groups, model);
-        result.change = 0.0;
-        for (std::size_t e = 0; e < 4; ++e) {
-            result.primary_velocity_m_per_s[e] = std::sqrt(squares.primary_velocity[e]);
-            if (const double force = parameters.vehicle.primary.friction_force_n; force > 0.0)
-                result.change = std::max(result.change, relax(model.car.friction.primary[e], friction_damping(force, result.primary_velocity_m_per_s[e])));
-            double stiffness = 1.0 / model.contact_compliance[e];
-            result.contact_compression_m[e] = std::sqrt(squares.contact_force[e]) / stiffness;
-            if (const double share = parameters.contact.nonlinearity_factor; share > 0.0) {
-                const MeanContact contact = mean_contact(constant, load, result.contact_compression_m[e]);
-                result.loss_of_contact_probability[e] = contact.open_probability;
-                const double target = std::max(0.05 * linear, linear + share * (contact.stiffness_n_per_m - linear));
-                result.change = std::max(result.change, relax(stiffness, target));
-                model.contact_compliance[e] = 1.0 / stiffness;
-            }
+        const std::vector<double> targets = targets_of(parameters, mean_squares(groups, model), model, result);
+        const bool begun = std::all_of(elements.begin(), elements.end(), [](const double* value) { return *value > 0.0; });
+        for (long e = 0; e < x.size(); ++e) {
+            const auto i = static_cast<std::size_t>(e);
+            x(e) = std::log(begun ? *elements[i] : targets[i]);
+            asked(e) = begun ? std::log(targets[i]) - x(e) : 0.0;
         }
-        for (std::size_t e = 0; e < 2; ++e) {
-            result.secondary_velocity_m_per_s[e] = std::sqrt(squares.secondary_velocity[e]);
-            if (const double force = parameters.vehicle.secondary.friction_force_n; force > 0.0)
-                result.change = std::max(result.change, relax(model.car.friction.secondary[e], friction_damping(force, result.secondary_velocity_m_per_s[e])));
-        }
-        if (result.change < kSettled) break;
+        const double before = result.change;
+        result.change = begun ? asked.lpNorm<Eigen::Infinity>() : 1.0;
+        const bool settled = result.change < kSettled || (result.change < kRounding && result.change > 0.5 * before && before > 0.0);
+        if (begun) x += settled || result.change > kNear ? asked : Eigen::VectorXd(mixing.step(x, asked).cwiseMax(-kNear).cwiseMin(kNear));
+        for (long e = 0; e < x.size(); ++e) *elements[static_cast<std::size_t>(e)] = std::exp(x(e));
+        if (settled) break;
     }
     return result;
 }

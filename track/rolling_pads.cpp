@@ -1,6 +1,5 @@
 #include "track/rolling_pads.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -10,6 +9,7 @@
 #include <unsupported/Eigen/FFT>
 
 #include "parameters/parameter_error.hpp"
+#include "track/anderson_mixing.hpp"
 #include "track/pad_curve.hpp"
 #include "track/pad_law.hpp"
 #include "track/rail_element.hpp"
@@ -154,32 +154,6 @@ class ElasticLaw {
     double rest_m_ = 0.0, rest_n_ = 0.0, reference_ = 0.0, first_slope_ = 0.0;
 };
 
-/// The next point of an iteration x → x + r(x) from the last few: Anderson's mixing (Walker & Ni 2011, SIAM J. Numer. Anal. 49).
-class Mixing {
-  public:
-    /// Moves x on by what the residual `r` at x and the steps before say.
-    void move(Eigen::VectorXd& x, const Eigen::VectorXd& r) {
-        Eigen::VectorXd step = r;
-        if (last_r_.size() == r.size()) {
-            const long column = count_++ % kDepth;
-            if (count_ <= kDepth) points_.conservativeResize(r.size(), count_), residuals_.conservativeResize(r.size(), count_);
-            points_.col(column) = x - last_x_;
-            residuals_.col(column) = r - last_r_;
-            const Eigen::VectorXd share = (residuals_.transpose() * residuals_).ldlt().solve(residuals_.transpose() * r);
-            if (share.allFinite()) step -= (points_ + residuals_) * share;
-        }
-        last_x_ = x;
-        last_r_ = r;
-        x += step;
-    }
-
-  private:
-    static constexpr long kDepth = 5;
-    Eigen::MatrixXd points_, residuals_;  ///< differences from step to step
-    Eigen::VectorXd last_x_, last_r_;
-    long count_ = 0;
-};
-
 /// x̂ = (load − carried·g·N̂)/pad and N = E(x) − E_rest − K·x, in turn; returns N̂ and leaves x in the history.
 std::vector<Phasor> settle(const Equation& equation, const std::vector<Phasor>& pad, const ElasticLaw& law, double largest_load, PadHistory& history) {
     Eigen::FFT<double> transform;
@@ -188,7 +162,7 @@ std::vector<Phasor> settle(const Equation& equation, const std::vector<Phasor>& 
     Eigen::VectorXd x = Eigen::VectorXd::Zero(size);
     std::vector<double> own(history.compression_m.size());
     std::vector<Phasor> remainder(pad.size()), moved(pad.size());
-    Mixing mixing;
+    AndersonMixing mixing;
     for (int iteration = 0; iteration < kMostIterations; ++iteration) {
         for (long i = 0; i < size; ++i) own[static_cast<std::size_t>(i)] = law.remainder(x(i));
         transform.fwd(remainder, own);
@@ -201,7 +175,7 @@ std::vector<Phasor> settle(const Equation& equation, const std::vector<Phasor>& 
             history.compression_m = own;
             return remainder;
         }
-        mixing.move(x, change);
+        x += mixing.step(x, change);
     }
     throw parameters::ParameterError("track.pads", "the pads find no equilibrium under rolling wheels", "a static curve that carries the wheel load");
 }
