@@ -219,6 +219,18 @@ class Fitting {
 
 }  // namespace
 
+Approach approach(const Trial& base, const std::vector<Unknown>& unknowns, std::vector<double> start, const Derivatives& near, const LikelihoodContext& context) {
+    State state = state_at(base, unknowns, std::move(start), context);
+    if (!state.possible()) return {-std::numeric_limits<double>::infinity(), std::move(state.values)};
+    Slopes slopes{derivatives_near(near, state.trial, unknowns, state.values, state.predictions, context), 1, true};
+    settle(unknowns, context, state);
+    double damping = kFirstDamping;
+    int iterations = 0;
+    Normal unused;
+    climb(base, unknowns, context, {.least_gain = kStageGain, .most = 0, .sharp = false}, damping, state, slopes, iterations, unused);
+    return {state.log_posterior, std::move(state.values)};
+}
+
 Fit fit(const Trial& base, std::vector<Unknown> unknowns, std::vector<double> start, const LikelihoodContext& context, const FitOptions& options) {
     return Fitting(base, std::move(unknowns), context, options).run(std::move(start));
 }

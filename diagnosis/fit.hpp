@@ -46,6 +46,13 @@ struct Fit {
 /// Log-posterior at given values, without climbing; −∞ where physics forbids them.
 double log_posterior_at(const Trial& base, const std::vector<Unknown>& unknowns, std::vector<double> values, const LikelihoodContext& context);
 
+/// Where a climb ends that goes by derivatives taken `near` the start (of retuning; those of an effect are taken anew), as long as its steps bring what they promise; −∞ where physics forbids the start.
+struct Approach {
+    double log_posterior = 0.0;
+    std::vector<double> values;
+};
+Approach approach(const Trial& base, const std::vector<Unknown>& unknowns, std::vector<double> start, const Derivatives& near, const LikelihoodContext& context);
+
 /// Fits `unknowns` from `start` by Fisher scoring with Levenberg damping within the bounds. From a start that physics forbids there is no fit: its logarithms are
 /// −∞, predictions and covariance empty.
 Fit fit(const Trial& base, std::vector<Unknown> unknowns, std::vector<double> start, const LikelihoodContext& context,

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kBluntFloor = 0.1;
 constexpr const char* kTuned = "frequency_hz";
-constexpr std::size_t kClimbed = 3;         ///< of the starts, those most probable as they stand
+constexpr std::size_t kClimbed = 2;         ///< of the starts, those most probable once the numbers have followed them
 constexpr int kBluntIterations = 2;
 constexpr int kFurtherBluntIterations = 6;  ///< of an effect's best start
 constexpr int kStepsOfAStage = 5;           ///< of sharpening
@@ -45,6 +45,48 @@ bool is_numbered(const Effect& effect) {
     return std::any_of(effect.choices.begin(), effect.choices.end(), [](const EffectChoice& choice) { return choice.whole_number; });
 }
 
+/// An effect at some strength, and the numbers that go with it: values and log-posterior only, with the derivatives that led there.
+struct Start {
+    std::vector<Candidate> set;
+    Fit near;
+};
+
+/// The most probable of an effect's starts, approached by the derivatives of the believed numbers.
+std::vector<Start> approached(const BelievedCase& believed, const Fit& as_believed, const std::vector<Candidate>& members, const std::vector<Candidate>& variants, const LikelihoodContext& blunt,
+                              const std::function<void(const Candidate&)>& between) {
+    std::vector<Start> starts;
+    for (const Candidate& candidate : starts_of(variants)) {
+        between(candidate);
+        Start own{.set = members, .near = {}};
+        own.set.push_back(candidate);
+        Supposition supposed = suppose(believed, Fit{}, own.set, {}, {}, blunt);
+        Approach there = approach(supposed.trial, supposed.unknowns, std::move(supposed.start), *as_believed.derivatives, blunt);
+        own.near.trial = std::move(supposed.trial);
+        own.near.unknowns = std::move(supposed.unknowns);
+        own.near.values = std::move(there.values);
+        own.near.log_posterior = there.log_posterior;
+        own.near.derivatives = as_believed.derivatives;
+        starts.push_back(std::move(own));
+    }
+    std::stable_sort(starts.begin(), starts.end(), [](const Start& a, const Start& b) { return a.near.log_posterior > b.near.log_posterior; });
+    if (starts.size() > kClimbed) starts.erase(starts.begin() + static_cast<long>(kClimbed), starts.end());
+    return starts;
+}
+
+FittedSet climbed(const BelievedCase& believed, const std::vector<Start>& starts, const Fit* rival, const LikelihoodContext& blunt, const std::function<void(const Candidate&)>& between) {
+    FitOptions options{.iterations = kBluntIterations, .from_far = false, .rival = rival};
+    options.between = [&] { between(starts.front().set.back()); };
+    FittedSet best;
+    for (const Start& start : starts) {
+        FittedSet set = fit_set(believed, start.near, start.set, {}, {}, blunt, options);
+        if (best.effects.empty() || set.fit.log_posterior > best.fit.log_posterior) best = std::move(set);
+    }
+    options.iterations = kFurtherBluntIterations;
+    best = fit_set(believed, best.fit, best.effects, {}, {}, blunt, options);
+    best.fit.derivatives.reset();  // several of these wait for each other
+    return best;
+}
+
 }  // namespace
 
 std::vector<std::vector<Candidate>> variants_from_afar(const std::vector<Candidate>& candidates, const std::vector<Candidate>& members,
@@ -65,28 +107,22 @@ std::vector<std::vector<Candidate>> variants_from_afar(const std::vector<Candida
     return variants;
 }
 
-FittedSet blunt_from_afar(const BelievedCase& believed, const std::vector<Candidate>& members, const std::vector<Candidate>& variants,
-                          const LikelihoodContext& context, const std::function<void()>& between) {
-    FitOptions options{.iterations = kBluntIterations, .from_far = false};
-    options.between = between;
+std::vector<FittedSet> blunt_from_afar(const BelievedCase& believed, const std::vector<Candidate>& members, const std::vector<std::vector<Candidate>>& variants,
+                                       const LikelihoodContext& context, const std::function<void(const Candidate&)>& between) {
     const LikelihoodContext blunt = blunted(context, kBluntFloor);
-    std::vector<std::pair<double, std::vector<Candidate>>> starts;
-    for (const Candidate& start : starts_of(variants)) {
-        std::vector<Candidate> set = members;
-        set.push_back(start);
-        const Supposition supposition = suppose(believed, Fit{}, set, {}, {}, blunt);
-        starts.emplace_back(log_posterior_at(supposition.trial, supposition.unknowns, supposition.start, blunt), std::move(set));
+    const Fit as_believed = fit_set(believed, Fit{}, members, {}, {}, blunt, {.iterations = 0, .from_far = false}).fit;
+    std::vector<std::vector<Start>> starts;
+    for (const std::vector<Candidate>& own : variants) starts.push_back(approached(believed, as_believed, members, own, blunt, between));
+    const auto height = [](const std::vector<Start>& own) { return own.front().near.log_posterior; };
+    std::stable_sort(starts.begin(), starts.end(), [&](const auto& a, const auto& b) { return height(a) > height(b); });
+    std::vector<FittedSet> sets;
+    sets.reserve(starts.size());  // the rival is one of them
+    const Fit* rival = nullptr;
+    for (const std::vector<Start>& own : starts) {
+        sets.push_back(climbed(believed, own, rival, blunt, between));
+        if (!rival || sets.back().fit.log_posterior > rival->log_posterior) rival = &sets.back().fit;
     }
-    std::stable_sort(starts.begin(), starts.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
-    FittedSet best;
-    for (std::size_t i = 0; i < std::min(kClimbed, starts.size()); ++i) {
-        FittedSet set = fit_set(believed, Fit{}, starts[i].second, {}, {}, blunt, options);
-        if (best.effects.empty() || set.fit.log_posterior > best.fit.log_posterior) best = std::move(set);
-    }
-    options.iterations = kFurtherBluntIterations;
-    best = fit_set(believed, best.fit, best.effects, {}, {}, blunt, options);
-    best.fit.derivatives.reset();  // several of these wait for each other
-    return best;
+    return sets;
 }
 
 FittedSet half_sharpened(const BelievedCase& believed, const FittedSet& blunt, const LikelihoodContext& context, const std::function<void()>& between) {

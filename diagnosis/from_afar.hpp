@@ -12,10 +12,12 @@ namespace railpem::diagnosis {
 std::vector<std::vector<Candidate>> variants_from_afar(const std::vector<Candidate>& candidates, const std::vector<Candidate>& members,
                                                        const std::function<bool(Element)>& evident);
 
-/// An effect fitted beside `members` (which start where their instances stand) from the believed numbers, from its typical values, from either end of every range and from the frequencies of `variants`
-/// (not empty), with a likelihood that is blunt enough (a floor of 10 %) to have one broad maximum: the best of these. `between` is called between steps and may throw to stop.
-FittedSet blunt_from_afar(const BelievedCase& believed, const std::vector<Candidate>& members, const std::vector<Candidate>& variants,
-                          const LikelihoodContext& context, const std::function<void()>& between);
+/// Every list of `variants` (one effect each, not empty) fitted beside `members` (which start where their instances stand) from the believed numbers, with a likelihood that is blunt enough (a floor of 10 %)
+/// to have one broad maximum, in no order. Starts are typical values, either end of every range and the frequencies of the variants; each is approached by the derivatives of the believed numbers first, for
+/// as they stand numbers that are a little off hide which is best (a mass of 24 kg/m tuned to 49 Hz was sought at 79 to 127 Hz and lost). What cannot come near the best so far is given up.
+/// `between` is called between steps with what is being fitted, and may throw to stop.
+std::vector<FittedSet> blunt_from_afar(const BelievedCase& believed, const std::vector<Candidate>& members, const std::vector<std::vector<Candidate>>& variants,
+                                       const LikelihoodContext& context, const std::function<void(const Candidate&)>& between);
 
 /// The floor at which it shows whether a set that was fitted with the blunt likelihood is worth sharpening.
 constexpr double kHalfSharpFloor = 0.04;

@@ -196,17 +196,13 @@ class Search {
             if (element == Element::support) element = Element::pad;  // rigid ground has no correction of its own
             return is_among(result_.left_by_retuned, element) || is_among(result_.left_by_best, element);
         };
-        std::vector<FittedSet> blunt;
-        for (const std::vector<Candidate>& variants : variants_from_afar(result_.candidates, members, is_evident)) {
-            const std::string label = label_of(variants.front().instance);
-            blunt.push_back(blunt_from_afar(believed_, members, variants, context_, [this, label] { say(label + " from afar", 0.7); }));
-        }
+        const auto between = [this](const Candidate& own) { say(label_of(own.instance) + " from afar", 0.7); };
+        std::vector<FittedSet> blunt = blunt_from_afar(believed_, members, variants_from_afar(result_.candidates, members, is_evident), context_, between);
         if (trials_.is_blunt()) return static_cast<void>(std::move(blunt.begin(), blunt.end(), std::back_inserter(result_.sets)));
         std::stable_sort(blunt.begin(), blunt.end(), [](const FittedSet& a, const FittedSet& b) { return a.fit.log_posterior > b.fit.log_posterior; });
         for (std::size_t i = 0; i < std::min(kSharpened, blunt.size()); ++i) {
-            const std::string label = label_of(blunt[i].effects.back().instance);
-            const auto between = [this, label] { say(label + " from afar", 0.7); };
-            result_.sets.push_back(sharpened(believed_, half_sharpened(believed_, blunt[i], context_, between), context_, between));
+            const auto step = [&] { between(blunt[i].effects.back()); };
+            result_.sets.push_back(sharpened(believed_, half_sharpened(believed_, blunt[i], context_, step), context_, step));
             if (leaves_little()) break;
         }
     }

@@ -60,17 +60,19 @@ struct Assembly {
     }
 };
 
+/// Mass of the body with its payload, which is spread like the body's own, by that without.
+double loaded(const vehicle::VehicleParameters& car) { return 1.0 + car.payload_kg / car.body_mass_kg; }
+
 void add_masses(Assembly& a) {
     const vehicle::VehicleParameters& car = a.car;
-    const double loaded = 1.0 + car.payload_kg / car.body_mass_kg;  // the payload is spread like the body's own mass
-    a.add_mass(car.body_mass_kg * loaded);
-    a.add_mass(car.body_pitch_inertia_kg_m2 * loaded);
+    a.add_mass(car.body_mass_kg * loaded(car));
+    a.add_mass(car.body_pitch_inertia_kg_m2 * loaded(car));
     for (int bogie = 0; bogie < 2; ++bogie) {
         a.add_mass(car.bogie_mass_kg);
         a.add_mass(car.bogie_pitch_inertia_kg_m2);
     }
     for (int j = 0; j < 4; ++j) a.add_mass(car.wheelset_mass_kg);
-    if (!car.body_bending.empty()) a.body_mode = a.add_mass(car.body_bending.front().modal_mass_kg);
+    if (!car.body_bending.empty()) a.body_mode = a.add_mass(car.body_bending.front().modal_mass_kg * loaded(car));
     if (!car.wheelset_bending.empty())
         for (int j = 0; j < 4; ++j) {
             const Eigen::Index i = a.add_mass(car.wheelset_bending.front().modal_mass_kg);
@@ -124,7 +126,8 @@ void add_suspensions(Assembly& a) {
 
 void add_attachments(Assembly& a) {
     if (a.body_mode >= 0)
-        a.resonator(a.unit(a.body_mode), a.body_mode, a.car.body_bending.front().frequency_hz,
+        // Bends with the payload, too; as stiff as empty.
+        a.resonator(a.unit(a.body_mode), a.body_mode, a.car.body_bending.front().frequency_hz / std::sqrt(loaded(a.car)),
                     a.car.body_bending.front().damping_ratio);
     if (a.wheel_mode >= 0)
         for (int j = 0; j < 4; ++j)

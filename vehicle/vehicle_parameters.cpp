@@ -44,9 +44,9 @@ Fields<SuspensionParameters> suspension_fields() {
 Fields<BodyBendingMode> body_bending_fields() {
     using B = BodyBendingMode;
     return {
-        number(&B::frequency_hz, "frequency_hz", "Hz", positive(), "first free–free bending frequency of the body").required(),
+        number(&B::frequency_hz, "frequency_hz", "Hz", positive(), "first free–free bending frequency of the empty body (a payload adds to the mode as to the body)").required(),
         number(&B::damping_ratio, "damping_ratio", "1", between(0.0, 1.0), "damping ratio of the mode"),
-        number(&B::modal_mass_kg, "modal_mass_kg", "kg", positive(), "modal mass of the whole body for unit displacement at its centre").required(),
+        number(&B::modal_mass_kg, "modal_mass_kg", "kg", positive(), "modal mass of the whole, empty body for unit displacement at its centre").required(),
         number(&B::shape_at_pivots, "shape_at_pivots", "1", between(-2.0, 1.0), "displacement over the bogie pivots for 1 at the centre"),
     };
 }

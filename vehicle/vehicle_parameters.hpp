@@ -25,6 +25,7 @@ struct SuspensionParameters {
 
 /// First free–free bending mode of the car body. Displacement of the body at x: heave + x·pitch + φ(x)·q with
 /// φ(0) = 1 and φ(± half the bogie distance) = shape_at_pivots; between them φ(x) = 1 + (shape_at_pivots − 1)·(x/b)².
+/// Frequency and mass are of the empty car: a payload adds to the mode's mass as it adds to the body's, by the same factor.
 struct BodyBendingMode {
     double frequency_hz = 10.0;
     double damping_ratio = 0.015;

@@ -18,7 +18,7 @@ Effect body_bending() {
                         .low = 6.0,
                         .high = 16.0,
                         .typical = 9.5,
-                        .says = "first bending frequency of the free body"},
+                        .says = "first bending frequency of the free, empty body"},
                        {.name = "damping_ratio",
                         .unit = "1",
                         .low = 0.002,

@@ -82,6 +82,11 @@ const std::vector<LinearCase> cases{
     {"RailDamper",
      [](Case& c) { c.track.rail_dampers = {{.mass_kg_per_m = 15, .frequency_hz = 500, .loss_factor = 0.35}}; }},
     {"BodyBending", [](Case& c) { c.vehicle.body_bending = {{}}; }},
+    {"BodyBendingWithPayload",
+     [](Case& c) {
+         c.vehicle.body_bending = {{}};
+         c.vehicle.payload_kg = 11000;
+     }},
     {"WheelsetBending", [](Case& c) { c.vehicle.wheelset_bending = {{}}; }},
     {"BogieMass",
      [](Case& c) {
