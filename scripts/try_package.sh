@@ -32,5 +32,7 @@ if [ "${1:-}" = --development ]; then
     inside sh -c "cmake -S /root/dependent -B /root/built > /dev/null && cmake --build /root/built > /dev/null && /root/built/dependent $cases/wei2016/case3.toml"
 fi
 inside apt-get -q purge -y railpem python3-railpem > /dev/null
-[ ! -e "$bare/usr/share/railpem" ] && [ ! -e "$bare/usr/bin/railpem" ]
+for trace in share/railpem bin/railpem lib/python3/dist-packages/railpem; do
+    [ ! -e "$bare/usr/$trace" ] || { echo "left behind: /usr/$trace"; exit 1; }
+done
 echo "installed, ran and was removed without a trace"
