@@ -111,6 +111,7 @@ std::vector<FittedSet> blunt_from_afar(const BelievedCase& believed, const std::
                                        const LikelihoodContext& context, const std::function<void(const Candidate&)>& between) {
     const LikelihoodContext blunt = blunted(context, kBluntFloor);
     const Fit as_believed = fit_set(believed, Fit{}, members, {}, {}, blunt, {.iterations = 0, .from_far = false}).fit;
+    if (!as_believed.derivatives) return {};  // physics forbids the members as they stand
     std::vector<std::vector<Start>> starts;
     for (const std::vector<Candidate>& own : variants) starts.push_back(approached(believed, as_believed, members, own, blunt, between));
     const auto height = [](const std::vector<Start>& own) { return own.front().near.log_posterior; };

@@ -15,6 +15,7 @@ std::vector<std::vector<Candidate>> variants_from_afar(const std::vector<Candida
 /// Every list of `variants` (one effect each, not empty) fitted beside `members` (which start where their instances stand) from the believed numbers, with a likelihood that is blunt enough (a floor of 10 %)
 /// to have one broad maximum, in no order. Starts are typical values, either end of every range and the frequencies of the variants; each is approached by the derivatives of the believed numbers first, for
 /// as they stand numbers that are a little off hide which is best (a mass of 24 kg/m tuned to 49 Hz was sought at 79 to 127 Hz and lost). What cannot come near the best so far is given up.
+/// None where physics forbids the members as they stand.
 /// `between` is called between steps with what is being fitted, and may throw to stop.
 std::vector<FittedSet> blunt_from_afar(const BelievedCase& believed, const std::vector<Candidate>& members, const std::vector<std::vector<Candidate>>& variants,
                                        const LikelihoodContext& context, const std::function<void(const Candidate&)>& between);

@@ -113,6 +113,32 @@ std::vector<double*> elements_of(const CaseParameters& parameters, CoupledModel&
 
 double friction_damping(double force, double velocity) { return force * std::sqrt(2.0 / std::numbers::pi) / std::max(velocity, kSmallestVelocity); }
 
+/// What the elements, in the order of elements_of(), ought to be when the response has these mean squares.
+std::vector<double> targets_of(const CaseParameters& parameters, const MeanSquares& squares, const CoupledModel& model, Linearisation& result) {
+    std::vector<double> targets;
+    const double constant = contact_constant(parameters.contact, parameters.vehicle.wheel_radius_m), load = wheel_load_n(parameters);
+    for (std::size_t e = 0; e < 4; ++e) {
+        result.primary_velocity_m_per_s[e] = std::sqrt(squares.primary_velocity[e]);
+        if (const double force = parameters.vehicle.primary.friction_force_n; force > 0.0)
+            targets.push_back(friction_damping(force, result.primary_velocity_m_per_s[e]));
+    }
+    for (std::size_t e = 0; e < 2; ++e) {
+        result.secondary_velocity_m_per_s[e] = std::sqrt(squares.secondary_velocity[e]);
+        if (const double force = parameters.vehicle.secondary.friction_force_n; force > 0.0)
+            targets.push_back(friction_damping(force, result.secondary_velocity_m_per_s[e]));
+    }
+    for (std::size_t e = 0; e < 4; ++e) {
+        result.contact_compression_m[e] = std::sqrt(squares.contact_force[e]) * model.contact_compliance[e];
+        if (const double share = parameters.contact.nonlinearity_factor; share > 0.0) {
+            const MeanContact contact = mean_contact(constant, load, result.contact_compression_m[e]);
+            result.loss_of_contact_probability[e] = contact.open_probability;
+            const double linear = contact_stiffness(constant, load);
+            targets.push_back(1.0 / std::max(0.05 * linear, linear + share * (contact.stiffness_n_per_m - linear)));
+        }
+    }
+    return targets;
+}
+
 }  // namespace
 
 bool is_nonlinear(const CaseParameters& parameters) {
@@ -169,36 +195,6 @@ std::vector<RailGroup> linearisation_rails(const CaseParameters& parameters, con
     const auto [count, step] = lines_of(parameters.frequency);
     return rail_groups(model, parameters.frequency.from_hz, step, static_cast<std::size_t>(count), kEvery, 1);
 }
-
-namespace {
-
-/// What the elements, in the order of elements_of(), ought to be when the response has these mean squares.
-std::vector<double> targets_of(const CaseParameters& parameters, const MeanSquares& squares, const CoupledModel& model, Linearisation& result) {
-    std::vector<double> targets;
-    const double constant = contact_constant(parameters.contact, parameters.vehicle.wheel_radius_m), load = wheel_load_n(parameters);
-    for (std::size_t e = 0; e < 4; ++e) {
-        result.primary_velocity_m_per_s[e] = std::sqrt(squares.primary_velocity[e]);
-        if (const double force = parameters.vehicle.primary.friction_force_n; force > 0.0)
-            targets.push_back(friction_damping(force, result.primary_velocity_m_per_s[e]));
-    }
-    for (std::size_t e = 0; e < 2; ++e) {
-        result.secondary_velocity_m_per_s[e] = std::sqrt(squares.secondary_velocity[e]);
-        if (const double force = parameters.vehicle.secondary.friction_force_n; force > 0.0)
-            targets.push_back(friction_damping(force, result.secondary_velocity_m_per_s[e]));
-    }
-    for (std::size_t e = 0; e < 4; ++e) {
-        result.contact_compression_m[e] = std::sqrt(squares.contact_force[e]) * model.contact_compliance[e];
-        if (const double share = parameters.contact.nonlinearity_factor; share > 0.0) {
-            const MeanContact contact = mean_contact(constant, load, result.contact_compression_m[e]);
-            result.loss_of_contact_probability[e] = contact.open_probability;
-            const double linear = contact_stiffness(constant, load);
-            targets.push_back(1.0 / std::max(0.05 * linear, linear + share * (contact.stiffness_n_per_m - linear)));
-        }
-    }
-    return targets;
-}
-
-}  // namespace
 
 Linearisation linearise(const CaseParameters& parameters, const std::vector<Source>& sources, CoupledModel& model, const std::vector<RailGroup>* rails) {
     Linearisation result;

@@ -111,6 +111,14 @@ void case_1_all_outputs(benchmark::State& state) {
 }
 BENCHMARK(case_1_all_outputs)->Unit(benchmark::kMillisecond);
 
+/// Two lines of case 1: the model more than they. What scripts/benchmark_python.py calls from Python.
+void case_1_two_lines(benchmark::State& state) {
+    pem::CaseParameters c = tests::paper_case(1);
+    c.frequency = {.from_hz = 22.0, .to_hz = 23.0, .step_hz = 1.0};
+    for (auto _ : state) benchmark::DoNotOptimize(pem::solve_case(c, 22.2222, {.threads = 1}));
+}
+BENCHMARK(case_1_two_lines)->Unit(benchmark::kMicrosecond);
+
 /// 2000 lines of case 3, all responses, static equilibrium included; threads as argument.
 void case_3_all_outputs(benchmark::State& state) {
     const pem::CaseParameters c = tests::paper_case(3);
