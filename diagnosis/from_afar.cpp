@@ -13,7 +13,7 @@ constexpr double kBluntFloor = 0.1;
 constexpr const char* kTuned = "frequency_hz";
 constexpr std::size_t kClimbed = 2;         ///< of the starts, those most probable once the numbers have followed them
 constexpr int kBluntIterations = 2;
-constexpr int kFurtherBluntIterations = 6;  ///< of an effect's best start
+constexpr int kFurtherBluntIterations = 6;  ///< of an effect's best start, and of the case without it
 constexpr int kStepsOfAStage = 5;           ///< of sharpening
 
 /// Typical values, every parameter in turn near either end of its range, and the frequencies in question: something tuned is not found from half of its frequency.
@@ -51,21 +51,21 @@ struct Start {
     Fit near;
 };
 
-/// The most probable of an effect's starts, approached by the derivatives of the believed numbers.
-std::vector<Start> approached(const BelievedCase& believed, const Fit& as_believed, const std::vector<Candidate>& members, const std::vector<Candidate>& variants, const LikelihoodContext& blunt,
+/// The most probable of an effect's starts, approached by the derivatives of the case without it.
+std::vector<Start> approached(const BelievedCase& believed, const Fit& without, const std::vector<Candidate>& members, const std::vector<Candidate>& variants, const LikelihoodContext& blunt,
                               const std::function<void(const Candidate&)>& between) {
     std::vector<Start> starts;
     for (const Candidate& candidate : starts_of(variants)) {
         between(candidate);
         Start own{.set = members, .near = {}};
         own.set.push_back(candidate);
-        Supposition supposed = suppose(believed, Fit{}, own.set, {}, {}, blunt);
-        Approach there = approach(supposed.trial, supposed.unknowns, std::move(supposed.start), *as_believed.derivatives, blunt);
+        Supposition supposed = suppose(believed, without, own.set, {}, {}, blunt);
+        Approach there = approach(supposed.trial, supposed.unknowns, std::move(supposed.start), *without.derivatives, blunt);
         own.near.trial = std::move(supposed.trial);
         own.near.unknowns = std::move(supposed.unknowns);
         own.near.values = std::move(there.values);
         own.near.log_posterior = there.log_posterior;
-        own.near.derivatives = as_believed.derivatives;
+        own.near.derivatives = without.derivatives;
         starts.push_back(std::move(own));
     }
     std::stable_sort(starts.begin(), starts.end(), [](const Start& a, const Start& b) { return a.near.log_posterior > b.near.log_posterior; });
@@ -107,13 +107,13 @@ std::vector<std::vector<Candidate>> variants_from_afar(const std::vector<Candida
     return variants;
 }
 
-std::vector<FittedSet> blunt_from_afar(const BelievedCase& believed, const std::vector<Candidate>& members, const std::vector<std::vector<Candidate>>& variants,
+std::vector<FittedSet> blunt_from_afar(const BelievedCase& believed, const Fit& near, const std::vector<Candidate>& members, const std::vector<std::vector<Candidate>>& variants,
                                        const LikelihoodContext& context, const std::function<void(const Candidate&)>& between) {
     const LikelihoodContext blunt = blunted(context, kBluntFloor);
-    const Fit as_believed = fit_set(believed, Fit{}, members, {}, {}, blunt, {.iterations = 0, .from_far = false}).fit;
-    if (!as_believed.derivatives) return {};  // physics forbids the members as they stand
+    const Fit without = fit_set(believed, near, members, {}, {}, blunt, {.iterations = kFurtherBluntIterations, .from_far = false}).fit;
+    if (!without.derivatives) return {};  // physics forbids the members as they stand
     std::vector<std::vector<Start>> starts;
-    for (const std::vector<Candidate>& own : variants) starts.push_back(approached(believed, as_believed, members, own, blunt, between));
+    for (const std::vector<Candidate>& own : variants) starts.push_back(approached(believed, without, members, own, blunt, between));
     const auto height = [](const std::vector<Start>& own) { return own.front().near.log_posterior; };
     std::stable_sort(starts.begin(), starts.end(), [&](const auto& a, const auto& b) { return height(a) > height(b); });
     std::vector<FittedSet> sets;

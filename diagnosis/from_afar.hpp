@@ -12,12 +12,12 @@ namespace railpem::diagnosis {
 std::vector<std::vector<Candidate>> variants_from_afar(const std::vector<Candidate>& candidates, const std::vector<Candidate>& members,
                                                        const std::function<bool(Element)>& evident);
 
-/// Every list of `variants` (one effect each, not empty) fitted beside `members` (which start where their instances stand) from the believed numbers, with a likelihood that is blunt enough (a floor of 10 %)
-/// to have one broad maximum, in no order. Starts are typical values, either end of every range and the frequencies of the variants; each is approached by the derivatives of the believed numbers first, for
-/// as they stand numbers that are a little off hide which is best (a mass of 24 kg/m tuned to 49 Hz was sought at 79 to 127 Hz and lost). What cannot come near the best so far is given up.
-/// None where physics forbids the members as they stand.
+/// Every list of `variants` (one effect each, not empty) fitted beside `members` with a likelihood that is blunt enough (a floor of 10 %) to have one broad maximum, in no order.
+/// Without any of them the case is fitted first, from `near` (nothing: from the believed numbers, and members where their instances stand). Starts are typical values, either end of every range and the
+/// frequencies of the variants; each is approached by the derivatives of the case without it, and the best two climbed: with the numbers as believed a mass of 24 kg/m tuned to 49 Hz ranked behind
+/// others at 79 to 127 Hz, and was lost. What cannot come near the best so far is given up. None where physics forbids the members as they stand.
 /// `between` is called between steps with what is being fitted, and may throw to stop.
-std::vector<FittedSet> blunt_from_afar(const BelievedCase& believed, const std::vector<Candidate>& members, const std::vector<std::vector<Candidate>>& variants,
+std::vector<FittedSet> blunt_from_afar(const BelievedCase& believed, const Fit& near, const std::vector<Candidate>& members, const std::vector<std::vector<Candidate>>& variants,
                                        const LikelihoodContext& context, const std::function<void(const Candidate&)>& between);
 
 /// The floor at which it shows whether a set that was fitted with the blunt likelihood is worth sharpening.

@@ -188,16 +188,20 @@ class Search {
         return std::any_of(left.begin(), left.end(), [&](const LocatedEvidence& own) { return own.place.element == element && own.nats > kEvident * most; });
     }
 
-    /// A strong effect distorts the retuned case so much that no first derivative finds it from there, and as little beside `members` while it is not among them. Effects of the evident
-    /// places, and those that follow the load, are fitted as the retuned case was: from the believed numbers, at a typical strength, with a blunt likelihood first.
-    void rescue_round(const std::vector<Candidate>& members = {}) {
+    /// A strong effect distorts the retuned case so much that no first derivative finds it from there, and as little `beside` a set while it is not among its members. Effects of the evident
+    /// places, and those that follow the load, are fitted at a typical strength with a blunt likelihood first, from where that retunes the case without them.
+    void rescue_round(const FittedSet* beside = nullptr) {
+        const std::vector<Candidate> members = beside ? beside->effects : std::vector<Candidate>{};
         if (result_.left_by_retuned.empty()) result_.left_by_retuned = locate(result_.retuned.fit, context_);
         const auto is_evident = [&](Element element) {
             if (element == Element::support) element = Element::pad;  // rigid ground has no correction of its own
             return is_among(result_.left_by_retuned, element) || is_among(result_.left_by_best, element);
         };
         const auto between = [this](const Candidate& own) { say(label_of(own.instance) + " from afar", 0.7); };
-        std::vector<FittedSet> blunt = blunt_from_afar(believed_, members, variants_from_afar(result_.candidates, members, is_evident), context_, between);
+        // Of another floor and other windows neither values nor derivatives are a start.
+        const Fit believed;
+        const Fit& near = !trials_.is_blunt() ? believed : beside ? beside->fit : result_.retuned.fit;
+        std::vector<FittedSet> blunt = blunt_from_afar(believed_, near, members, variants_from_afar(result_.candidates, members, is_evident), context_, between);
         if (trials_.is_blunt()) return static_cast<void>(std::move(blunt.begin(), blunt.end(), std::back_inserter(result_.sets)));
         std::stable_sort(blunt.begin(), blunt.end(), [](const FittedSet& a, const FittedSet& b) { return a.fit.log_posterior > b.fit.log_posterior; });
         for (std::size_t i = 0; i < std::min(kSharpened, blunt.size()); ++i) {
@@ -212,7 +216,7 @@ class Search {
         const FittedSet* single = trials_.best(1);
         if (!misses() || single == nullptr || single->effects.empty()) return;
         left_over();
-        rescue_round(single->effects);
+        rescue_round(single);
     }
 
     void first_round() {

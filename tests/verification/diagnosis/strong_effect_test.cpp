@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 
 #include "diagnosis/diagnose.hpp"
 #include "diagnosis/effects/effect.hpp"
@@ -36,25 +37,43 @@ TEST(StrongEffect, PreloadUnderTwoLoads) {
     EXPECT_NEAR(found.omitted.front().parameters.front().value, 0.7, 0.07);
 }
 
-// From half of its frequency, or from twice, no climb leads to a resonance.
+/// What the blunt likelihood finds of a mass on the rail, alone and from afar.
+std::map<std::string, double> damper_from_afar(Synthesised& made, double mass_kg_per_m, double frequency_hz, double loss_factor) {
+    made.truth.effects = {{.effect = "rail-damper", .values = {{"mass_kg_per_m", mass_kg_per_m}, {"frequency_hz", frequency_hz}, {"loss_factor", loss_factor}}, .choices = {}}};
+    made.draw(7);
+    std::vector<Candidate> variants = candidates(made.believed, believed_trial(made.believed, made.observations), made.observations).candidates;
+    std::erase_if(variants, [](const Candidate& own) { return own.instance.effect != "rail-damper"; });
+    return blunt_from_afar(made.believed, {}, {}, {variants}, made.context(Part::fitted, 2), [](const Candidate&) {}).at(0).fit.trial.effects.back().values;
+}
+
+const std::vector<std::string> kAxleAndTrack{"vehicle.wheelset_mass_kg", "vehicle.primary.stiffness_n_per_m", "track.rail.second_moment_of_area_m4", "track.rail.mass_kg_per_m",
+                                             "track.pads.static_stiffness_n_per_m", "track.pads.damping_n_s_per_m", "contact.constant_m_per_n23"};
+
+// From half of its frequency, or from twice, no climb leads to a resonance: the next start of the grid is within 12 %. Found within 0.2 and 0.5 %; 5 and 20 % tell it from the next ones.
 TEST(StrongEffect, TunedMassOnTheRailIsFoundFromAfar) {
-    Synthesised made = synthesised(paper_believed({"vehicle.wheelset_mass_kg", "vehicle.primary.stiffness_n_per_m", "track.rail.second_moment_of_area_m4", "track.rail.mass_kg_per_m",
-                                                   "track.pads.static_stiffness_n_per_m", "track.pads.damping_n_s_per_m", "contact.constant_m_per_n23"}),
-                                   {22.2222, 33.0}, 60.0, nine_channels(), {.window_s = 2.0, .low_hz = 2.0, .high_hz = 175.0});
-    struct Damper {
-        double mass_kg_per_m, frequency_hz, loss_factor;
-    };
-    for (const Damper& hidden : {Damper{15.0, 120.0, 0.35}, Damper{24.4, 49.2, 0.2}}) {
-        made.truth.effects = {{.effect = "rail-damper", .values = {{"mass_kg_per_m", hidden.mass_kg_per_m}, {"frequency_hz", hidden.frequency_hz}, {"loss_factor", hidden.loss_factor}}, .choices = {}}};
-        made.draw(7);
-        std::vector<Candidate> variants = candidates(made.believed, believed_trial(made.believed, made.observations), made.observations).candidates;
-        std::erase_if(variants, [](const Candidate& own) { return own.instance.effect != "rail-damper"; });
-        const std::vector<FittedSet> found = blunt_from_afar(made.believed, {}, {variants}, made.context(Part::fitted, 2), [](const Candidate&) {});
-        ASSERT_EQ(found.size(), 1u);
-        const std::map<std::string, double>& values = found.front().fit.trial.effects.back().values;
-        EXPECT_NEAR(values.at("frequency_hz") / hidden.frequency_hz, 1.0, 0.05);
-        EXPECT_NEAR(values.at("mass_kg_per_m") / hidden.mass_kg_per_m, 1.0, 0.2);
-    }
+    Synthesised made = synthesised(paper_believed(kAxleAndTrack), {22.2222, 33.0}, 60.0, nine_channels(), {.window_s = 2.0, .low_hz = 2.0, .high_hz = 175.0});
+    const std::map<std::string, double> values = damper_from_afar(made, 15.0, 120.0, 0.35);
+    EXPECT_NEAR(values.at("frequency_hz"), 120.0, 6.0);
+    EXPECT_NEAR(values.at("mass_kg_per_m"), 15.0, 3.0);
+}
+
+// As they stand starts are ranked by the errors of the numbers, not by what is there: 100, 127 and 79 Hz came first, and were climbed to a mass of 2 kg/m at 30 Hz. As trial 38 of seed 85743307, pads half
+// a tolerance softer than believed in the place of a third stiffer.
+TEST(StrongEffect, TunedMassIsFoundBesideNumbersThatAreOff) {
+    const std::vector<std::pair<std::string, double>> off{
+        {"vehicle.body_mass_kg", 0.972}, {"vehicle.body_pitch_inertia_kg_m2", 1.023}, {"vehicle.bogie_pitch_inertia_kg_m2", 1.008}, {"vehicle.wheelset_mass_kg", 1.033},
+        {"vehicle.primary.stiffness_n_per_m", 0.974}, {"vehicle.primary.damping_n_s_per_m", 1.078}, {"vehicle.secondary.stiffness_n_per_m", 1.003}, {"vehicle.secondary.damping_n_s_per_m", 1.045},
+        {"track.rail.second_moment_of_area_m4", 0.992}, {"track.rail.mass_kg_per_m", 1.0086}, {"track.pads.static_stiffness_n_per_m", 0.85}, {"track.pads.damping_n_s_per_m", 1.093},
+        {"contact.constant_m_per_n23", 0.922}, {"vehicle.bogie_mass_kg", 1.0004}};
+    std::vector<std::string> keys;
+    for (const auto& [key, factor] : off) keys.push_back(key);
+    Synthesised made = synthesised(paper_believed(keys), {37.4, 17.84}, 60.0, nine_channels(), {.window_s = 2.0, .low_hz = 2.0, .high_hz = 175.0});
+    for (const auto& [key, factor] : off) made.believed.access.set(made.truth.numbers, key, factor * made.believed.access.get(made.believed.numbers, key));
+    made.truth.numbers.irregularity.level_db += 0.65;
+    made.truth.speed_m_per_s[0] *= 0.99956, made.truth.speed_m_per_s[1] *= 1.00381;
+    const std::map<std::string, double> values = damper_from_afar(made, 24.4, 49.2, 0.2);
+    EXPECT_NEAR(values.at("frequency_hz"), 49.2, 2.5);
+    EXPECT_NEAR(values.at("mass_kg_per_m"), 24.4, 4.9);
 }
 
 // Beside friction alone no derivative leads to a mass on the rail: a rail of another mass, or one that shears, stands in for it.
