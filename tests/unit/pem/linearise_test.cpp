@@ -27,7 +27,8 @@ CaseParameters coarse() {
     return c;
 }
 
-/// From a force that nobody feels to one that all but blocks the springs, in both stages, beside a contact that opens.
+/// From a force that nobody feels to one that blocks the springs, in both stages, beside a contact that opens. 5 to 14 steps, 29 where nothing moves in the end. There
+/// what is left is rounding, 2e-9.
 TEST(Linearise, SettlesWhateverTheForce) {
     for (const double force : {1.0, 100.0, 1000.0, 5e3, 3e4})
         for (const double share : {0.0, 1.0, 4.0}) {
@@ -57,7 +58,7 @@ TEST(Linearise, EndsWhereItEndsFromAnyStart) {
         from_near.car.friction.primary[e] = from_nothing.car.friction.primary[e] * (1.0 + 1e-4);
         from_afar.car.friction.primary[e] = 1e6;
     }
-    EXPECT_LT(settled(c, from_near).iterations, 12);
+    EXPECT_LT(settled(c, from_near).iterations, 8);  // 5
     settled(c, from_afar);
     for (std::size_t e = 0; e < 4; ++e) {
         EXPECT_NEAR(from_near.car.friction.primary[e] / from_nothing.car.friction.primary[e], 1.0, 1e-11);
