@@ -68,6 +68,7 @@ ChunkUnknowns unknowns_of(const Chunk& chunk, const std::vector<Unknown>& unknow
 void add_diagonal_columns(const Trial& trial, const std::vector<Unknown>& unknowns, const ChunkUnknowns& own, const Observation& observation,
                           std::size_t index, const ExpectedSpectra& prediction, std::size_t bin, double amplification, WhitenedColumns& columns) {
     const FloorPlace place = floor_place(observation.frequency(bin));
+    const std::array<double, kFloorGroups> floors = floors_at(trial, observation.frequency(bin), 0.0);
     const std::size_t size = prediction.channels;
     const Complex* model = &prediction.values[bin * size * size];
     std::size_t column = own.derivatives.size();
@@ -76,13 +77,11 @@ void add_diagonal_columns(const Trial& trial, const std::vector<Unknown>& unknow
         columns.add_diagonal(column++, c, trial.noise_psd[index][c]);
     }
     for (const std::size_t u : own.floors) {
-        const int group = unknowns[u].index / kFloorNodeCount, node = unknowns[u].index % kFloorNodeCount;
+        const int node = unknowns[u].index % kFloorNodeCount;
+        const auto group = static_cast<std::size_t>(unknowns[u].index / kFloorNodeCount);
         const double share = node == place.node ? 1.0 - place.share : node == place.node + 1 ? place.share : 0.0;
-        for (std::size_t c = 0; c < size && share > 0.0; ++c) {
-            const std::size_t response = observation.channels[c].response;
-            if (floor_group(response) == group)
-                columns.add_diagonal(column, c, amplification * 2.0 * share * floor_of(trial, response, observation.frequency(bin), 0.0) * model[c * (size + 1)].real());
-        }
+        for (std::size_t c = 0; c < size && share > 0.0; ++c)
+            if (floor_group(observation.channels[c].response) == group) columns.add_diagonal(column, c, amplification * 2.0 * share * floors[group] * model[c * (size + 1)].real());
         ++column;
     }
 }
@@ -103,8 +102,8 @@ LikelihoodSlope chunk_slope(const Chunk& chunk, const Trial& trial, const std::v
         whiten(trial, observation, o, predictions[o], data, bin, context.least_floor, known_processes(context, o, bin), white);
         slope.log_likelihood += data.averages * white.log_likelihood;
         if (!std::isfinite(white.log_likelihood)) continue;
-        for (std::size_t c = 0; c < size; ++c)  // the floor grows with the prediction
-            diagonal[c] = 1.0 + floor_of(trial, observation.channels[c].response, observation.frequency(bin), context.least_floor);
+        const std::array<double, kFloorGroups> floors = floors_at(trial, observation.frequency(bin), context.least_floor);
+        for (std::size_t c = 0; c < size; ++c) diagonal[c] = 1.0 + floors[floor_group(observation.channels[c].response)];  // the floor grows with the prediction
         columns.begin(white.inverse_factor, white.amplification);
         for (std::size_t d = 0; d < own.derivatives.size(); ++d) columns.set(d, &own.derivatives[d]->values[bin * size * size], diagonal.data());
         columns.whiten();
@@ -144,9 +143,9 @@ const MeasuredSpectra& measured(const Observation& observation, Part part) {
 Eigen::MatrixXcd complete_prediction(const Trial& trial, const Observation& observation, std::size_t index,
                                      const ExpectedSpectra& prediction, std::size_t bin, double least_floor) {
     Eigen::MatrixXcd model = prediction.matrix(bin);
+    const std::array<double, kFloorGroups> floors = floors_at(trial, observation.frequency(bin), least_floor);
     for (long c = 0; c < model.rows(); ++c) {
-        const std::size_t response = observation.channels[static_cast<std::size_t>(c)].response;
-        const double floor = floor_of(trial, response, observation.frequency(bin), least_floor);
+        const double floor = floors[floor_group(observation.channels[static_cast<std::size_t>(c)].response)];
         model(c, c) = model(c, c).real() * (1.0 + floor) + trial.noise_psd[index][static_cast<std::size_t>(c)];
     }
     return model;

@@ -22,11 +22,12 @@ template <std::size_t Rows>
 double invert_rows(SplitMatrix& model, std::size_t given, SplitMatrix& inverse) {
     const std::size_t size = std::min(given, Rows);  // never less: for the compiler to know
     double log_determinant = 0.0;
+    double reciprocal[kMostChannels];  // of L_kk
     for (std::size_t k = 0; k < size; ++k) {  // right-looking Cholesky; column k becomes L_k
         const double pivot = model.re[k][k];
         if (!(pivot > 0.0) || !std::isfinite(pivot)) return std::numeric_limits<double>::quiet_NaN();
         log_determinant += std::log(pivot);
-        const double scale = 1.0 / std::sqrt(pivot);
+        const double scale = reciprocal[k] = 1.0 / std::sqrt(pivot);
         for (std::size_t i = 0; i < Rows; ++i) {
             model.re[k][i] = i < k ? 0.0 : model.re[k][i] * scale;
             model.im[k][i] = i <= k ? 0.0 : model.im[k][i] * scale;
@@ -37,7 +38,7 @@ double invert_rows(SplitMatrix& model, std::size_t given, SplitMatrix& inverse) 
         double *re = inverse.re[c], *im = inverse.im[c];
         for (std::size_t i = 0; i < Rows; ++i) re[i] = i == c ? 1.0 : 0.0, im[i] = 0.0;
         for (std::size_t k = c; k < size; ++k) {
-            const double own = 1.0 / model.re[k][k], a = re[k] * own, b = im[k] * own;
+            const double a = re[k] * reciprocal[k], b = im[k] * reciprocal[k];
             add<Rows>(-a, -b, model.re[k], model.im[k], re, im);
             re[k] = a;
             im[k] = b;

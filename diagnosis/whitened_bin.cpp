@@ -47,9 +47,10 @@ Parts parts_of(const Trial& trial, const Observation& observation, std::size_t i
     split(&data.values[first], size, parts.estimate);
     parts.log_determinant = data.log_determinant[bin];
     if (least_floor > 0.0) blunt(parts, least_floor);
+    const std::array<double, kFloorGroups> floors = floors_at(trial, observation.frequency(bin), least_floor);
     for (std::size_t c = 0; c < size; ++c) {
         parts.noise[c] = trial.noise_psd[index][c];
-        parts.excited.re[c][c] *= 1.0 + floor_of(trial, observation.channels[c].response, observation.frequency(bin), least_floor);
+        parts.excited.re[c][c] *= 1.0 + floors[floor_group(observation.channels[c].response)];
         parts.excited.im[c][c] = 0.0;
     }
     return parts;
@@ -98,13 +99,17 @@ void settle_residual(WhitenedBin& bin, double share, std::size_t size) {
 
 }  // namespace
 
-double floor_of(const Trial& trial, std::size_t response, double frequency_hz, double least) {
+std::array<double, kFloorGroups> floors_at(const Trial& trial, double frequency_hz, double least) {
     const FloorPlace place = floor_place(frequency_hz);
-    const double* node = &trial.floor[static_cast<std::size_t>(floor_group(response) * kFloorNodeCount + place.node)];
-    const double own = node[0] > 0.0 && node[1] > 0.0
-                           ? std::exp((1.0 - place.share) * std::log(node[0]) + place.share * std::log(node[1]))
-                           : (1.0 - place.share) * node[0] + place.share * node[1];
-    return own * own + least * least;
+    std::array<double, kFloorGroups> floors;
+    for (std::size_t group = 0; group < floors.size(); ++group) {
+        const double* node = &trial.floor[group * kFloorNodeCount + static_cast<std::size_t>(place.node)];
+        const double own = node[0] > 0.0 && node[1] > 0.0
+                               ? std::exp((1.0 - place.share) * std::log(node[0]) + place.share * std::log(node[1]))
+                               : (1.0 - place.share) * node[0] + place.share * node[1];
+        floors[group] = own * own + least * least;
+    }
+    return floors;
 }
 
 void whiten(const Trial& trial, const Observation& observation, std::size_t index, const ExpectedSpectra& prediction,

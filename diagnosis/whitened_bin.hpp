@@ -1,6 +1,8 @@
 #pragma once
 // One bin of an observation seen through a trial.
 
+#include <array>
+
 #include "diagnosis/likelihood.hpp"
 #include "diagnosis/split_matrix.hpp"
 
@@ -28,7 +30,7 @@ void whiten(const Trial& trial, const Observation& observation, std::size_t inde
             const MeasuredSpectra& data, std::size_t bin, double least_floor, double known_processes,
             WhitenedBin& bin_seen);
 
-/// Square of the floor's relative amplitude for a response, `least` added.
-double floor_of(const Trial& trial, std::size_t response, double frequency_hz, double least);
+/// Square of the floor's relative amplitude, of `least` added, by floor_group() of a response.
+std::array<double, kFloorGroups> floors_at(const Trial& trial, double frequency_hz, double least);
 
 }  // namespace railpem::diagnosis

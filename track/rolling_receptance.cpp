@@ -1,6 +1,7 @@
 #include "track/rolling_receptance.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -103,21 +104,64 @@ Phasor beyond_reach(const TrackParameters& track, const WaveGrid& grid, double o
            free_rail_beyond(turned, reversal, x);
 }
 
-/// Distances x_i − x_j that differ, and which pair has which.
+/// Distances |x_i − x_j| that differ, and which pair has which, forwards or backwards.
 struct Distances {
+    struct OfPair {
+        std::size_t distance;
+        bool backwards;
+    };
     std::vector<double> each;
-    std::vector<std::size_t> of_pair;
+    std::vector<OfPair> of_pair;
 
     explicit Distances(const std::vector<double>& wheels) {
         for (const double felt : wheels)
             for (const double force : wheels) {
-                const double own = felt - force;
+                const double own = std::abs(felt - force);
                 const auto known = std::find_if(each.begin(), each.end(), [&](double other) { return std::abs(other - own) < kSameNode; });
-                of_pair.push_back(static_cast<std::size_t>(known - each.begin()));
+                of_pair.push_back({static_cast<std::size_t>(known - each.begin()), felt < force});
                 if (known == each.end()) each.push_back(own);
             }
     }
     double farthest() const { return *std::max_element(each.begin(), each.end()); }
+};
+
+/// e^{ikx} of every distance along the grid: each group's from that of the group before, taken anew often enough for rounding not to add up.
+class Waves {
+  public:
+    Waves(const std::vector<double>& distances_m, double step) : distances_(distances_m), wave_(distances_m.size()) {
+        for (const double distance : distances_m) turn_.emplace_back(std::polar(1.0, lanes::width * step * distance));
+    }
+
+    /// At the wavenumbers `k`; groups one after the other, none left out.
+    const std::vector<Complex>& at(Real k) {
+        constexpr int kAnew = 32;  ///< groups: 32 roundings are some 1e-15
+        for (std::size_t d = 0; d < wave_.size(); ++d) wave_[d] = groups_ % kAnew == 0 ? lanes::unit(k * distances_[d]) : wave_[d] * turn_[d];
+        ++groups_;
+        return wave_;
+    }
+
+  private:
+    const std::vector<double>& distances_;
+    std::vector<Complex> turn_, wave_;
+    int groups_ = 0;
+};
+
+/// Σ p·e^{ikx} and Σ p·e^{−ikx} side by side: their products are the same four.
+struct BothWays {
+    Real rr{}, ii{}, ri{}, ir{};
+
+    void add(const Complex& p, const Complex& wave) {
+        rr += p.re * wave.re;
+        ii += p.im * wave.im;
+        ri += p.re * wave.im;
+        ir += p.im * wave.re;
+    }
+    Phasor sum(bool backwards) const {
+        const Real re = backwards ? rr + ii : rr - ii, im = backwards ? ir - ri : ir + ri;
+        Phasor whole = 0.0;
+        for (int lane = 0; lane < lanes::width; ++lane) whole += Phasor(re[lane], im[lane]);
+        return whole;
+    }
 };
 
 }  // namespace
@@ -127,20 +171,20 @@ RollingReceptance rolling_receptance(const TrackParameters& track, double pad_st
     const Distances distances(wheels_m);
     const WaveGrid grid = wavenumber_grid(track, pad_stiffness_n_per_m, omega, distances.farthest(), speed_m_per_s, highest);
     const std::size_t orders = static_cast<std::size_t>(2 * highest + 1), count = distances.each.size();
-    std::vector<Complex> p(orders), sums(orders * count);
+    std::vector<Complex> p(orders);
+    std::vector<BothWays> sums(orders * count);
+    Waves waves(distances.each, grid.step);
     for (int group = -grid.groups; group < grid.groups; ++group) {
         Real k;
         for (int lane = 0; lane < lanes::width; ++lane) k[lane] = (group * lanes::width + lane + 0.5) * grid.step + grid.shift;
         periodic_part(track, pad_stiffness_n_per_m, k, omega - k * speed_m_per_s, highest, p);
-        for (std::size_t d = 0; d < count; ++d) {
-            const Complex wave = lanes::unit(k * distances.each[d]);
-            for (std::size_t m = 0; m < orders; ++m) sums[m * count + d] += p[m] * wave;
-        }
+        const std::vector<Complex>& wave = waves.at(k);
+        for (std::size_t m = 0; m < orders; ++m)
+            for (std::size_t d = 0; d < count; ++d) sums[m * count + d].add(p[m], wave[d]);
     }
-    for (std::size_t d = 0; d < count; ++d) {
-        Complex& own = sums[static_cast<std::size_t>(highest) * count + d];
-        own.set(0, own[0] + beyond_reach(track, grid, omega, speed_m_per_s, distances.each[d]) / grid.step);
-    }
+    std::vector<std::array<Phasor, 2>> beyond;  // forwards and backwards
+    for (const double distance : distances.each)
+        beyond.push_back({beyond_reach(track, grid, omega, speed_m_per_s, distance) / grid.step, beyond_reach(track, grid, omega, speed_m_per_s, -distance) / grid.step});
     const std::size_t wheels = wheels_m.size();
     const double scale = grid.step / (2.0 * std::numbers::pi);
     std::vector<Phasor> place;  // of order −highest under every wheel, then one order further each
@@ -150,9 +194,9 @@ RollingReceptance rolling_receptance(const TrackParameters& track, double pad_st
     RollingReceptance result{.highest = highest, .wheels = wheels, .values = {}};
     for (int m = -highest; m <= highest; ++m) {
         for (std::size_t pair = 0; pair < wheels * wheels; ++pair) {
-            const Complex& sum = sums[static_cast<std::size_t>(m + highest) * count + distances.of_pair[pair]];
-            Phasor whole = 0.0;
-            for (int lane = 0; lane < lanes::width; ++lane) whole += sum[lane];
+            const auto [distance, backwards] = distances.of_pair[pair];
+            Phasor whole = sums[static_cast<std::size_t>(m + highest) * count + distance].sum(backwards);
+            if (m == 0) whole += beyond[distance][backwards ? 1 : 0];
             result.values.push_back(whole * (m == 0 ? scale : place[pair / wheels]));
         }
         for (std::size_t wheel = 0; wheel < wheels; ++wheel) place[wheel] *= further[wheel];
