@@ -36,7 +36,7 @@ std::vector<PredictionDerivative> correction_derivatives(const Fit& fit, const C
             const std::size_t size = observation.channels.size() * observation.channels.size();
             PredictionDerivative own{part.observation, static_cast<int>(node * whole.size()) + part.unknown, std::vector<std::complex<double>>(part.values.size(), 0.0)};
             for (std::size_t bin = 0; bin < observation.bins(); ++bin) {
-                const double weight = correction_weight(place, nodes, node, observation.frequency(bin));
+                const double weight = correction_weight(place, static_cast<std::size_t>(part.unknown), nodes, node, observation.frequency(bin));
                 for (std::size_t i = bin * size; weight != 0.0 && i < (bin + 1) * size; ++i) own.values[i] = weight * part.values[i];
             }
             result.push_back(std::move(own));

@@ -18,6 +18,8 @@ namespace {
 
 constexpr int kNodes = 7;              ///< of a correction: one an octave
 constexpr double kDeviation = 0.3;     ///< of a correction: what is left out moves a place by tens of percent
+constexpr double kForceDeviation = 0.1; ///< of the power of forces of its own, in multiples of the reference
+constexpr std::size_t kForcePart = 2;   ///< behind real and imaginary part
 constexpr double kStep = 1e-7;  ///< as of the numbers: what a correction shares with one has the same error
 
 /// The correction of a place of the structure, null for the others; of a constant case a constant one.
@@ -104,6 +106,24 @@ Unknown attached_unknown(const CorrectionPlace& place, Point point, const std::v
                          [place, point](pem::CaseParameters& parameters) -> lanes::FactorCurve& { return attached_curve(parameters.vehicle, place, point); });
 }
 
+Unknown force_unknown(const CorrectionPlace& place, const std::vector<double>& nodes, std::size_t node) {
+    return {.kind = UnknownKind::correction,
+            .name = fmt::format("forces of {} at {:.3g} Hz", element_name(place.element), nodes[node]),
+            .deviation = kForceDeviation,
+            .low = 0.0,
+            .high = 5.0,
+            .step = kStep,
+            .element = place.element,
+            .set = [element = place.element, nodes, node](Trial& trial, double x) {
+                vehicle::ForceSpectrum& own = (element == Element::primary ? trial.numbers.vehicle.primary : trial.numbers.vehicle.secondary).own_force;
+                if (own.empty()) {
+                    own.frequency_hz = nodes;
+                    own.share.assign(nodes.size(), 0.0);
+                }
+                own.share[node] = x;
+            }};
+}
+
 Unknown spectrum_unknown(const std::vector<double>& nodes, std::size_t node) {
     return {.kind = UnknownKind::correction,
             .name = fmt::format("correction of excitation at {:.3g} Hz", nodes[node]),
@@ -136,7 +156,8 @@ std::complex<double> correction_at(const pem::CaseParameters& parameters, const 
     return factor;
 }
 
-double correction_weight(const CorrectionPlace& place, const std::vector<double>& nodes, std::size_t node, double frequency_hz) {
+double correction_weight(const CorrectionPlace& place, std::size_t part, const std::vector<double>& nodes, std::size_t node, double frequency_hz) {
+    if (place.forces && part == kForcePart) return vehicle::ForceSpectrum::weight(nodes, node, frequency_hz);
     if (place.element == Element::irregularity) {
         spectra::LogFrequencySpline own{nodes, std::vector<double>(nodes.size(), 0.0)};
         own.log_factor[node] = 1.0;
@@ -167,6 +188,9 @@ std::vector<CorrectionPlace> correction_places(const BelievedCase& believed, con
         const int count = element == Element::bogie ? 2 : element == Element::wheel ? 4 : 0;
         for (int which = 0; which <= count; ++which) places.push_back({.element = element, .channel = {}, .which = which});
         if (element == Element::body || element == Element::bogie) places.push_back({.element = element, .channel = {}, .attached = true});
+        const auto is_series = [](const Observation& own) { return !own.scalar; };
+        if ((element == Element::secondary || element == Element::primary) && std::any_of(observations.begin(), observations.end(), is_series))
+            places.push_back({.element = element, .channel = {}, .forces = true});
     }
     std::set<std::string> channels;
     for (const Observation& observation : observations)
@@ -189,6 +213,7 @@ std::vector<Unknown> correction_unknowns(const CorrectionPlace& place, const std
             else
                 for (const Point point : {Point::centre, Point::front, Point::rear}) unknowns.push_back(attached_unknown(place, point, nodes, node, imaginary));
         }
+        if (place.forces) unknowns.push_back(force_unknown(place, nodes, node));
     }
     return unknowns;
 }

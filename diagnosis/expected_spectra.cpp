@@ -136,7 +136,7 @@ std::vector<ObservedChannel> observed_channels(const std::vector<recordings::Cha
 
 namespace {
 
-/// What does not depend on the excitation, or is costly. Friction's forces are added to `expected` at once.
+/// What does not depend on the excitation, or is costly. Forces of the suspension's own are added to `expected` at once.
 ExpectationCache prepared(const pem::CaseParameters& parameters, double speed, const std::vector<ObservedChannel>& channels, const FineGrid& grid, double bin_hz,
                           const ExpectationOptions& options, const ExpectationCache* known, Reuse reuse, ExpectedSpectra& expected) {
     const std::vector<double> wheels = vehicle::wheel_positions(parameters.vehicle);
@@ -154,8 +154,9 @@ ExpectationCache prepared(const pem::CaseParameters& parameters, double speed, c
     pem::RollingTable rolling = same_rail ? known->modulation.rolling : pem::rolling_table(model, speed, pem::modulation_end_hz(parameters, speed));
     own.rails = same_rail && known->transfers.lines == lines.lines ? known->rails : channel_rails(parameters, model, rolling, lines, options);
     own.transfers = channel_transfers(parameters, model, channels, grid, options, &own.rails);
-    if (has_friction(parameters))
-        add_friction(parameters, {model, sources, own.level_rails, own.rails, lines.from_hz, lines.step_hz, lines.lines}, channels, bin_hz, expected);
+    const SolvedLines solved{model, own.rails, lines.from_hz, lines.step_hz, lines.lines};
+    if (has_friction(parameters)) add_friction(parameters, solved, {sources, own.level_rails}, channels, bin_hz, expected);
+    if (has_own_forces(parameters)) add_own_forces(parameters, solved, channels, bin_hz, expected);
     own.friction = model.car.friction;
     own.pads = pem::pad_transfers(parameters, model, same_rail && !known->pads.rail.empty() ? &known->pads : nullptr);
     own.track = same_rail ? pem::with_other_vehicle(known->track, parameters, model, speed) : pem::track_excitation(parameters, wheels, speed, &model);
@@ -192,7 +193,7 @@ ExpectationCache with_other_sensors(const ExpectationCache& known, const pem::Ca
 }
 
 void add_excitation(const pem::CaseParameters& parameters, double speed, const ExpectationCache& parts, const FineGrid& grid, const recordings::WindowKernel& kernel,
-                    const recordings::KernelWeights& weights, const std::vector<pem::DelayedSpectrum>& beside, ExpectedSpectra& expected) {
+                    const recordings::KernelWeights& weights, const pem::ContactDistortion& contacts, ExpectedSpectra& expected) {
     const std::vector<double> wheels = vehicle::wheel_positions(parameters.vehicle);
     const double bin = kernel.bin_hz();
     const pem::Excitation excitation = pem::excitation(parameters, wheels, speed, &parts.track);
@@ -201,7 +202,8 @@ void add_excitation(const pem::CaseParameters& parameters, double speed, const E
                      {.first = grid.first, .count = grid.count, .first_bin = expected.first_bin, .bins = expected.bins()}, expected.values);
     for (const pem::DelayedSpectrum& source : pem::pad_distortion(parts.pads, excitation.broadband, wheels, speed))
         add_as_it_is(parts.transfers, source, wheels, speed, bin, expected);
-    for (const pem::DelayedSpectrum& source : beside) add_as_it_is(parts.transfers, source, wheels, speed, bin, expected);
+    for (const pem::DelayedSpectrum& source : pem::distortion_sources(contacts, pem::distorting_nonlinearity(parameters.contact)))
+        add_as_it_is(parts.transfers, source, wheels, speed, bin, expected);
     add_felt(parts.transfers, parts.felt, excitation.broadband.front(), wheels, speed, bin, expected);
     // Of wheels out of round what supports make of them: lines of joints hardly stand above the irregularity, those of passing supports act on each other (feed_back_lines).
     for (const pem::LineSet& set : excitation.lines) {
@@ -224,12 +226,13 @@ ExpectedSpectra expected_spectra(const pem::CaseParameters& parameters, double s
     const FineGrid grid = fine_grid(kernel, expected.first_bin, bins, options.oversampling);
     const recordings::KernelWeights weights =
         options.weights.weights.empty() ? expectation_weights(kernel, options.oversampling) : options.weights;
-    if (has_friction(parameters) && (reuse == Reuse::transfers || reuse == Reuse::motion)) reuse = Reuse::rail;  // its forces are no transfer
+    const bool has_forces = has_friction(parameters) || has_own_forces(parameters);
+    if (has_forces && (reuse == Reuse::transfers || reuse == Reuse::motion)) reuse = Reuse::rail;  // what they add is no transfer
     // With all transfers the excitation's lines are those of the cache; pads that stiffen under load do not share it.
-    if (reuse == Reuse::transfers) add_excitation(parameters, speed, *known, grid, kernel, weights, options.beside, expected);
+    if (reuse == Reuse::transfers) add_excitation(parameters, speed, *known, grid, kernel, weights, options.contacts, expected);
     else {
         ExpectationCache own = reuse == Reuse::motion ? with_other_sensors(*known, parameters, channels) : prepared(parameters, speed, channels, grid, bin, options, known, reuse, expected);
-        add_excitation(parameters, speed, own, grid, kernel, weights, options.beside, expected);
+        add_excitation(parameters, speed, own, grid, kernel, weights, options.contacts, expected);
         if (filled) *filled = std::move(own);
     }
     add_sensor_noise(parameters, channels, bin, expected);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "pem/case_parameters.hpp"
+#include "pem/contact_distortion.hpp"
 #include "pem/excitation.hpp"
 #include "pem/pad_distortion.hpp"
 #include "pem/modulated_forces.hpp"
@@ -49,7 +50,7 @@ struct ExpectationOptions {
     int rail_every = 8;             ///< the rail is smoother still: solved at one line of that grid in so many
     int oversampling = 4;           ///< fine lines per bin; at least 2·(1 + longest wheel delay/segment)
     int threads = 0;
-    std::vector<pem::DelayedSpectrum> beside;  ///< sources that do not depend on the case, not smoothed by the kernel: broad and weak
+    pem::ContactDistortion contacts; ///< what they distort, but for the case's nonlinearity; not smoothed by the kernel: broad and weak
     recordings::KernelWeights weights;  ///< of the kernel, when whoever asks often has them already; else computed
 };
 

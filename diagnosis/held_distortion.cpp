@@ -53,7 +53,7 @@ void hold_contact_distortion(Observation& observation, const pem::CaseParameters
     parameters.vehicle.payload_kg = observation.payload_kg;
     parameters.solver.moving = true;
     parameters.frequency.to_hz = observation.expectation.high_hz;
-    observation.expectation.beside.clear();
+    observation.expectation.contacts = {};
     const ExpectedSpectra expected = expected_spectra(parameters, observation.speed_m_per_s, observation.kernel, observation.channels, {}, observation.expectation);
     const std::vector<double> ratio = ratio_of(power_of(observation, observation.all.values), power_of(observation, expected.values), observation.first_bin());
     const double bin_hz = observation.kernel.bin_hz();
@@ -62,7 +62,7 @@ void hold_contact_distortion(Observation& observation, const pem::CaseParameters
         const long bin = std::clamp(std::lround(frequency / bin_hz) - first, 0L, static_cast<long>(ratio.size()) - 1);
         return ratio[static_cast<std::size_t>(bin)];
     };
-    observation.expectation.beside = pem::contact_distortion(parameters, observation.speed_m_per_s, at);
+    observation.expectation.contacts = pem::contact_distortion(parameters, observation.speed_m_per_s, at);
 }
 
 }  // namespace railpem::diagnosis

@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "diagnosis/shows.hpp"
@@ -87,26 +88,51 @@ std::vector<Promise> screen(const Fit& fit, const std::vector<Candidate>& candid
 
 namespace {
 
-/// One freedom's promise from the slope of fit and freedoms together, its unknowns beginning at `first`.
-FreedomPromise promise_from(const Fit& fit, const LikelihoodSlope& slope, const Eigen::LDLT<Eigen::MatrixXd>& factor, const std::vector<Unknown>& freedom, long first) {
-    const long own = static_cast<long>(fit.unknowns.size()), count = static_cast<long>(freedom.size());
-    const Eigen::MatrixXd cross = slope.information.block(0, first, own, count);
-    const Eigen::MatrixXd projected = factor.solve(cross);
-    const Eigen::MatrixXd information = slope.information.block(first, first, count, count) - cross.transpose() * projected;
-    const Eigen::VectorXd gradient = slope.gradient.segment(first, count) - projected.transpose() * fit.gradient;
+/// Information and gradient of a freedom with the fit's unknowns projected out.
+struct Projected {
+    Eigen::MatrixXd nuisance;  ///< of the fit's unknowns, by which its own are followed
+    Eigen::MatrixXd information;
+    Eigen::VectorXd gradient;
+};
+
+Projected projected(const Fit& fit, const LikelihoodSlope& slope, const Eigen::LDLT<Eigen::MatrixXd>& factor, long count, long first) {
+    const Eigen::MatrixXd cross = slope.information.block(0, first, static_cast<long>(fit.unknowns.size()), count);
+    Projected own{.nuisance = factor.solve(cross), .information = {}, .gradient = {}};
+    own.information = slope.information.block(first, first, count, count) - cross.transpose() * own.nuisance;
+    own.gradient = slope.gradient.segment(first, count) - own.nuisance.transpose() * fit.gradient;
+    return own;
+}
+
+/// With the beliefs of those of its unknowns that are `kept`; the others stay where they are.
+FreedomPromise promise_of(const Projected& all, const std::vector<Unknown>& freedom, const std::vector<long>& kept) {
+    const long count = static_cast<long>(kept.size()), whole = all.gradient.size();
     Eigen::VectorXd deviation(count);
-    for (long i = 0; i < count; ++i) deviation(i) = freedom[static_cast<std::size_t>(i)].deviation;
-    const Eigen::MatrixXd scaled = Eigen::MatrixXd::Identity(count, count) + deviation.asDiagonal() * information * deviation.asDiagonal();
-    const Eigen::LLT<Eigen::MatrixXd> own_factor(scaled);
-    const Eigen::VectorXd right = deviation.asDiagonal() * gradient;
-    FreedomPromise promise;
-    const Eigen::VectorXd solved = own_factor.solve(right);
-    promise.values = deviation.asDiagonal() * solved;
-    promise.move = -projected * promise.values;
-    promise.covariance = deviation.asDiagonal() * own_factor.solve(Eigen::MatrixXd::Identity(count, count)) * deviation.asDiagonal();
+    for (long i = 0; i < count; ++i) deviation(i) = freedom[static_cast<std::size_t>(kept[static_cast<std::size_t>(i)])].deviation;
+    const Eigen::MatrixXd scaled = Eigen::MatrixXd::Identity(count, count) + deviation.asDiagonal() * all.information(kept, kept) * deviation.asDiagonal();
+    const Eigen::LLT<Eigen::MatrixXd> factor(scaled);
+    const Eigen::VectorXd right = deviation.asDiagonal() * all.gradient(kept), solved = factor.solve(right);
+    FreedomPromise promise{.values = Eigen::VectorXd::Zero(whole), .covariance = Eigen::MatrixXd::Zero(whole, whole), .move = {}};
+    promise.values(kept) = deviation.asDiagonal() * solved;
+    promise.move = -all.nuisance * promise.values;
+    promise.covariance(kept, kept) = deviation.asDiagonal() * factor.solve(Eigen::MatrixXd::Identity(count, count)) * deviation.asDiagonal();
     promise.nats = 0.5 * right.dot(solved);
-    for (long i = 0; i < count; ++i) promise.nats -= std::log(own_factor.matrixLLT()(i, i));
+    for (long i = 0; i < count; ++i) promise.nats -= std::log(factor.matrixLLT()(i, i));
     return promise;
+}
+
+/// One freedom's promise from the slope of fit and freedoms together, its unknowns beginning at `first`. What cannot fall below where it stands, a power, and would, stays.
+FreedomPromise promise_from(const Fit& fit, const LikelihoodSlope& slope, const Eigen::LDLT<Eigen::MatrixXd>& factor, const std::vector<Unknown>& freedom, long first) {
+    const Projected all = projected(fit, slope, factor, static_cast<long>(freedom.size()), first);
+    std::vector<long> kept(freedom.size());
+    std::iota(kept.begin(), kept.end(), 0L);
+    while (true) {
+        FreedomPromise promise = promise_of(all, freedom, kept);
+        const auto would_fall = [&](long i) {
+            const Unknown& own = freedom[static_cast<std::size_t>(i)];
+            return own.low >= own.mean && promise.values(i) < 0.0;
+        };
+        if (std::erase_if(kept, would_fall) == 0) return promise;
+    }
 }
 
 }  // namespace

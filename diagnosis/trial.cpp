@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "diagnosis/force_reference.hpp"
 #include "diagnosis/measured_irregularity.hpp"
 #include "diagnosis/shows.hpp"
 #include "pem/contact.hpp"
@@ -163,7 +164,7 @@ void add_recording(const std::vector<Observation>& observations, std::vector<Unk
 }
 
 void add_floor(const std::vector<Observation>& observations, std::vector<Unknown>& unknowns) {
-    for (int group = 0; group < kFloorGroups; ++group) {
+    for (std::size_t group = 0; group < kFloorGroups; ++group) {
         const auto present = [&](const Observation& observation) {
             return !observation.scalar &&
                    std::any_of(observation.channels.begin(), observation.channels.end(),
@@ -171,7 +172,7 @@ void add_floor(const std::vector<Observation>& observations, std::vector<Unknown
         };
         if (std::none_of(observations.begin(), observations.end(), present)) continue;
         for (int node = 0; node < kFloorNodeCount; ++node) {
-            const int index = group * kFloorNodeCount + node;
+            const int index = static_cast<int>(group) * kFloorNodeCount + node;
             unknowns.push_back({.kind = UnknownKind::floor,
                                 .name = fmt::format("floor {} at {:g} Hz", group, kFloorNodes[node]),
                                 .mean = kFloorMean,
@@ -188,7 +189,7 @@ void add_floor(const std::vector<Observation>& observations, std::vector<Unknown
 
 }  // namespace
 
-int floor_group(std::size_t response) {
+std::size_t floor_group(std::size_t response) {
     const std::string& where = pem::response_names()[response].where;
     return where.starts_with("body") ? 0 : where.starts_with("bogie") ? 1 : where.starts_with("wheel") ? 2 : 3;
 }
@@ -204,6 +205,8 @@ pem::CaseParameters case_of(const Trial& trial, const BelievedCase& believed, co
     pem::CaseParameters parameters = trial.numbers;
     apply(trial.effects, believed.access, parameters, true);
     parameters.vehicle.payload_kg = observation.payload_kg;
+    for (vehicle::ForceSpectrum* own : {&parameters.vehicle.primary.own_force, &parameters.vehicle.secondary.own_force})
+        if (!own->empty() && !observation.fitted.values.empty()) own->reference_n2_per_hz = force_reference(observation, own->frequency_hz);
     // Quoted spectra and hammer tests do not say that the wheels moved; what the case says of it holds.
     if (!observation.scalar) parameters.solver.moving = true;
     parameters.frequency.to_hz = observation.expectation.high_hz + 10.0;

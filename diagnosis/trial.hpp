@@ -29,7 +29,7 @@ struct Trial {
 };
 
 /// The group whose floor a response shares.
-int floor_group(std::size_t response);
+std::size_t floor_group(std::size_t response);
 
 /// Weights of the floor's nodes at a frequency: linear in log f.
 struct FloorPlace {

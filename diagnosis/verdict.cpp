@@ -47,7 +47,8 @@ bool unseen_disagrees(const FittedSet& smaller, const FittedSet& larger, double 
 
 constexpr double kLeaning = 2.0;  ///< nats that a set may gain beyond the range of its physics by chance: two deviations
 
-bool leans(const FittedSet& set) { return nats_beyond_range(set) > kLeaning; }
+/// An approximation may be driven beyond the range by what it leaves: fasteners that carry nothing at all lie on the end of theirs.
+bool leans(const FittedSet& set, double nothing) { return nats_beyond_range(set) > (is_approximate(set) ? nats_left(set, nothing, kLeaning) : kLeaning); }
 
 /// A member is smaller than anybody would speak of: it makes up for what a law beside it is off by.
 bool is_trifling(const FittedSet& set) {
@@ -72,7 +73,7 @@ double least_addition(const FittedSet& smaller, double nothing, const VerdictThr
 bool says_as_much(const FittedSet& smaller, const FittedSet& larger, const NamingResult& naming, const VerdictThresholds& thresholds) {
     return smaller.members() < larger.members() && contains(larger, smaller) &&
            (larger.score() < smaller.score() + least_addition(smaller, naming.retuned.score(), thresholds) || unseen_disagrees(smaller, larger, naming.unseen_share) ||
-            (leans(larger) && !leans(smaller)) || (is_trifling(larger) && !is_trifling(smaller)));
+            (leans(larger, naming.retuned.score()) && !leans(smaller, naming.retuned.score())) || (is_trifling(larger) && !is_trifling(smaller)));
 }
 
 /// The same hypothesis, fitted from another start.
@@ -124,13 +125,13 @@ Decision decide(const NamingResult& naming, const PlaceStudy& places, const Verd
     if (gains) {
         decision.named = best;
         for (const FittedSet& set : naming.sets)
-            if (&set == best || (set.score() > best->score() - thresholds.credible && !contains(set, *best) && !leans(set)))
+            if (&set == best || (set.score() > best->score() - thresholds.credible && !contains(set, *best) && !leans(set, nothing)))
                 decision.credible.push_back(&set);
     }
     const double residual_named = places.at_named.empty() ? 0.0 : places.at_named.front().nats;
     const double residual_retuned = places.at_retuned.empty() ? 0.0 : places.at_retuned.front().nats;
     if (gains && decision.unknown_score < best->score() + thresholds.anonymous &&
-        residual_named < nats_left(*best, nothing, thresholds.residual) && !leans(*best) &&
+        residual_named < nats_left(*best, nothing, thresholds.residual) && !leans(*best, nothing) &&
         places.by_named <= misfit_left(*best, nothing, thresholds.residual))
         decision.verdict = decision.credible.size() > 1 ? Verdict::ambiguous : only_sensors(*best) ? Verdict::recording_fault : Verdict::explained;
     else if (gains)

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "pem/contact.hpp"
 #include "pem/coupled_model.hpp"
+#include "pem/gaussian_mean.hpp"
 #include "pem/solution.hpp"
 #include "pem/wheel_transfers.hpp"
-#include "pem/contact.hpp"
 
 namespace railpem::pem {
 
@@ -49,18 +51,48 @@ double contact_force_variation(const CaseParameters& parameters, double speed) {
     return std::sqrt(*std::max_element(power.begin(), power.end())) / wheel_load_n(parameters);
 }
 
-std::vector<DelayedSpectrum> contact_distortion(const CaseParameters& parameters, double speed, const std::function<double(double)>& force_power_ratio) {
+ContactDistortion contact_distortion(const CaseParameters& parameters, double speed, const std::function<double(double)>& force_power_ratio) {
     const std::vector<double> wheels = vehicle::wheel_positions(parameters.vehicle);
+    const double load = wheel_load_n(parameters);
     SquareTransfers transfers = force_transfers(parameters, speed);
     for (std::size_t line = 0; line < transfers.size(); ++line)
         for (std::complex<double>& own : transfers[line]) own *= std::sqrt(std::max(0.0, force_power_ratio(static_cast<double>(line + 1) * kSquareStep_hz)));
-    const double curvature_m_per_n2 = -2.0 / 9.0 * contact_constant(parameters.contact, parameters.vehicle.wheel_radius_m) * std::pow(wheel_load_n(parameters), -4.0 / 3.0);
+    const PairCorrelations correlations = pair_correlations(transfers, excitation(parameters, wheels, speed).broadband, wheels, speed, kHighestOrder);
+    double variance = 0.0;
+    for (std::size_t wheel = 0; wheel < 4; ++wheel) variance += 0.25 * correlations.variance(wheel);
+    ContactDistortion result{.static_approach_m = contact_constant(parameters.contact, parameters.vehicle.wheel_radius_m) * std::cbrt(load * load), .force_variation = std::sqrt(variance) / load, .power = {}};
+    for (int order = 2; order <= kHighestOrder; ++order) result.power.push_back(contrasts_of_powers(correlations, order, variance));
+    return result;
+}
+
+ApproachOrders approach_orders(double nonlinearity, double force_variation) {
+    return gaussian_mean([&](double xi) {
+        ApproachOrders orders;
+        double before = 1.0, own = xi;  // He_n/√n! one after the other, whose squares have the mean 1
+        for (long n = 2; n <= kHighestOrder; ++n) {
+            const double next = (xi * own - std::sqrt(static_cast<double>(n) - 1.0) * before) / std::sqrt(static_cast<double>(n));
+            before = std::exchange(own, next);
+            orders(n - 2) = own;
+        }
+        return ApproachOrders(orders * contact_approach(nonlinearity, 1.0 + force_variation * xi));
+    });
+}
+
+std::vector<DelayedSpectrum> distortion_sources(const ContactDistortion& distortion, double nonlinearity) {
     std::vector<DelayedSpectrum> sources;
-    for (std::vector<double>& power : contrasts_of_squares(transfers, excitation(parameters, wheels, speed).broadband, wheels, speed)) {
-        for (double& own : power) own *= 0.25 * curvature_m_per_n2 * curvature_m_per_n2;
-        sources.push_back(contrast_source("contact_distortion", sources.size(), std::move(power)));
+    if (distortion.power.empty()) return sources;
+    const ApproachOrders orders = approach_orders(nonlinearity, distortion.force_variation);
+    for (std::size_t contrast = 0; contrast < kContrasts.size(); ++contrast) {
+        std::vector<double> power(distortion.power.front()[contrast].size(), 0.0);
+        for (std::size_t order = 0; order < distortion.power.size(); ++order) {
+            const double share = std::pow(distortion.static_approach_m * orders(static_cast<long>(order)), 2);
+            for (std::size_t k = 0; k < power.size(); ++k) power[k] += share * distortion.power[order][contrast][k];
+        }
+        sources.push_back(contrast_source("contact_distortion", contrast, std::move(power)));
     }
     return sources;
 }
+
+double distorting_nonlinearity(const ContactParameters& contact) { return contact.nonlinearity_factor > 0.0 ? contact.nonlinearity_factor : 1.0; }
 
 }  // namespace railpem::pem

@@ -1,17 +1,37 @@
 #pragma once
 // What a Hertzian contact adds to the linear response: it stiffens under the load of every moment.
 
+#include <Eigen/Core>
 #include <functional>
+#include <vector>
 
 #include "pem/case_parameters.hpp"
 #include "pem/second_order.hpp"
 
 namespace railpem::pem {
 
-/// Second-order distortion of the contacts. Under a load P0 + F(t) wheel and rail approach by δ = G·(P0 + F)^{2/3} = δ0 + F/K_H + ½κF² with κ = −(2/9)·G·P0^{−4/3} (Wei et al. 2016, (7)); the
-/// last term acts like an irregularity under the wheel, sources as second_order.hpp has them. `force_power_ratio`: by how much more power the contact forces have at a frequency than
-/// the case says; a recording knows. Third order is left out. Excitation above v/(shortest wave) is none.
-std::vector<DelayedSpectrum> contact_distortion(const CaseParameters& parameters, double speed_m_per_s, const std::function<double(double frequency_hz)>& force_power_ratio);
+inline constexpr int kHighestOrder = 6;  ///< where forces vary by a quarter of the static load, 0.3 % of what Hertz distorts lies beyond, 5 to 10 % of two to five times that nonlinearity
+using ApproachOrders = Eigen::Array<double, kHighestOrder - 1, 1>;
+
+/// What the contacts distort, all but the nonlinearity. Under a load P0 + F(t) with Gaussian F of deviation σ wheel and rail approach by δ0·y(1 + F/P0) (contact_approach()) = Σ c_n·He_n(F/σ); the first two
+/// are the static approach and the linearised compliance, the rest acts like an irregularity under the wheel, with cross-spectra n!·c_n² times those of the n-th powers of the correlation (Mehler 1866).
+struct ContactDistortion {
+    double static_approach_m = 0.0;  ///< δ0 = G·P0^{2/3} (Wei et al. 2016, (7))
+    double force_variation = 0.0;    ///< σ/P0, of the four wheels
+    std::vector<std::vector<std::vector<double>>> power;  ///< [order − 2][contrast][Hz]: contrasts_of_powers() of the forces over σ; none: no distortion
+};
+
+/// `force_power_ratio`: by how much more power the contact forces have at a frequency than the case says; a recording knows. Excitation above v/(shortest wave) is none.
+ContactDistortion contact_distortion(const CaseParameters& parameters, double speed_m_per_s, const std::function<double(double frequency_hz)>& force_power_ratio);
+
+/// √n!·c_n/δ0 from n = 2 on: whose squares are what each order holds of the variance of the approach, over δ0².
+ApproachOrders approach_orders(double nonlinearity, double force_variation);
+
+/// The sources of contacts with a share of the Hertzian nonlinearity, as second_order.hpp has them.
+std::vector<DelayedSpectrum> distortion_sources(const ContactDistortion& distortion, double nonlinearity);
+
+/// The share of a case: Hertz where it is linear, because that is what real contacts are.
+double distorting_nonlinearity(const ContactParameters& contact);
 
 /// rms of the contact force beyond its static part, over that, of the wheel where it is largest; of all waves to the shortest, by steps of 1 Hz. From about a quarter on wheels leave the rail now and then, and no order of
 /// the contact's law describes that.

@@ -5,6 +5,7 @@
 
 #include "pem/angular_frequency.hpp"
 #include "pem/contact.hpp"
+#include "pem/gaussian_mean.hpp"
 #include "pem/solution.hpp"
 #include "pem/wheel_transfers.hpp"
 #include "track/anderson_mixing.hpp"
@@ -19,18 +20,6 @@ constexpr double kRounding = 1e-8;  ///< below it what does not get smaller is r
 constexpr double kNear = 0.3;       ///< change from which on steps are mixed; friction that blocks its stage runs away to where nothing moves, and has to be let
 constexpr int kMostLines = 512;
 constexpr double kSmallestVelocity = 1e-9;  ///< m/s; keeps the equivalent damping finite when nothing moves
-
-/// E[max(δ̄ + σξ, 0)^p] for standard Gaussian ξ, by the midpoint rule in ξ over ±9.
-template <class Function>
-double gaussian_mean(Function&& value) {
-    constexpr int kPoints = 800;
-    double sum = 0.0;
-    for (int i = 0; i < kPoints; ++i) {
-        const double xi = -9.0 + 18.0 * (i + 0.5) / kPoints;
-        sum += value(xi) * std::exp(-0.5 * xi * xi);
-    }
-    return sum * 18.0 / kPoints / std::sqrt(kTwoPi);
-}
 
 /// Mean squares that the linearisation needs. The contact force is that which compresses the uncorrected contact as much.
 struct MeanSquares {

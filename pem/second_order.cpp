@@ -11,8 +11,6 @@ namespace {
 
 using Phasor = std::complex<double>;
 
-constexpr std::size_t kPairs = 10;
-
 /// Two-sided cross-spectra of the response under every two wheels, i ≤ j, as each meets the track: the delays between them taken off. At k·kSquareStep_hz, k = 0 (nothing) on.
 std::array<std::vector<Phasor>, kPairs> spectra_of_pairs(const SquareTransfers& transfers, const std::vector<DelayedSpectrum>& broadband, const std::vector<double>& wheels_m, double speed) {
     std::array<std::vector<Phasor>, kPairs> pairs;
@@ -38,35 +36,52 @@ std::array<std::vector<Phasor>, kPairs> spectra_of_pairs(const SquareTransfers& 
 
 }  // namespace
 
-std::vector<std::vector<double>> contrasts_of_squares(const SquareTransfers& transfers, const std::vector<DelayedSpectrum>& broadband, const std::vector<double>& wheels_m, double speed) {
+PairCorrelations pair_correlations(const SquareTransfers& transfers, const std::vector<DelayedSpectrum>& broadband, const std::vector<double>& wheels_m, double speed, int highest) {
     const auto pairs = spectra_of_pairs(transfers, broadband, wheels_m, speed);
     std::size_t size = 64;
-    while (size < 4 * (transfers.size() + 1)) size *= 2;  // twice the band on both sides: nothing wraps around
+    while (size < static_cast<std::size_t>(highest + 2) * (transfers.size() + 1)) size *= 2;  // the band of the highest power, and ours beside it: nothing wraps around
+    Eigen::FFT<double> transform;
+    transform.SetFlag(Eigen::FFT<double>::HalfSpectrum);
+    PairCorrelations result{.lines = transfers.size(), .at = {}};
+    for (std::size_t pair = 0; pair < kPairs; ++pair) {
+        std::vector<Phasor> half(pairs[pair]);
+        half.resize(size / 2 + 1, 0.0);
+        transform.inv(result.at[pair], half);
+        for (double& own : result.at[pair]) own *= static_cast<double>(size) * kSquareStep_hz;
+    }
+    return result;
+}
+
+std::vector<std::vector<double>> contrasts_of_powers(const PairCorrelations& correlations, int power, double scale) {
+    const std::size_t size = correlations.at.front().size();
     Eigen::FFT<double> transform;
     transform.SetFlag(Eigen::FFT<double>::HalfSpectrum);
     std::array<std::vector<double>, kContrasts.size()> sums;
     for (auto& own : sums) own.assign(size, 0.0);
     std::size_t pair = 0;
     for (std::size_t i = 0; i < 4; ++i)
-        for (std::size_t j = i; j < 4; ++j) {
-            std::vector<Phasor> half(pairs[pair++]);
-            half.resize(size / 2 + 1, 0.0);
-            std::vector<double> correlation;
-            transform.inv(correlation, half);
-            for (std::size_t c = 0; c < sums.size(); ++c) {
-                const double weight = kContrasts[c][i] * kContrasts[c][j] / 16.0 * (i == j ? 1.0 : 2.0);
-                for (std::size_t t = 0; t < size; ++t) sums[c][t] += weight * correlation[t] * correlation[t];
+        for (std::size_t j = i; j < 4; ++j, ++pair) {
+            for (std::size_t t = 0; t < size; ++t) {
+                double own = 1.0;
+                for (int n = 0; n < power; ++n) own *= correlations.at[pair][t] / scale;
+                for (std::size_t c = 0; c < sums.size(); ++c) sums[c][t] += kContrasts[c][i] * kContrasts[c][j] / 16.0 * (i == j ? 1.0 : 2.0) * own;
             }
         }
     std::vector<std::vector<double>> result;
     for (const std::vector<double>& sum : sums) {
         std::vector<Phasor> half;
         transform.fwd(half, sum);
-        // Twice the product of two-sided spectra is the cross-spectrum of the squares; twice that the one-sided one.
-        std::vector<double> power{0.0};
-        for (std::size_t k = 1; k <= transfers.size(); ++k) power.push_back(std::max(0.0, half[k].real()) * 4.0 * static_cast<double>(size) * kSquareStep_hz);
-        result.push_back(std::move(power));
+        std::vector<double> psd{0.0};  // twice the two-sided one
+        for (std::size_t k = 1; k <= correlations.lines; ++k) psd.push_back(std::max(0.0, half[k].real()) * 2.0 / (static_cast<double>(size) * kSquareStep_hz));
+        result.push_back(std::move(psd));
     }
+    return result;
+}
+
+std::vector<std::vector<double>> contrasts_of_squares(const SquareTransfers& transfers, const std::vector<DelayedSpectrum>& broadband, const std::vector<double>& wheels_m, double speed) {
+    std::vector<std::vector<double>> result = contrasts_of_powers(pair_correlations(transfers, broadband, wheels_m, speed, 2), 2, 1.0);
+    for (std::vector<double>& psd : result)
+        for (double& own : psd) own *= 2.0;
     return result;
 }
 

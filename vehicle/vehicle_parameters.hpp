@@ -7,6 +7,7 @@
 
 #include "lanes/factor_curve.hpp"
 #include "parameters/field.hpp"
+#include "vehicle/force_spectrum.hpp"
 
 namespace railpem::vehicle {
 
@@ -21,6 +22,8 @@ struct SuspensionParameters {
     double friction_force_n = 0.0;
     /// Factor on the whole dynamic stiffness of the element, friction included; free correction of a diagnosis, 1 when empty.
     lanes::FactorCurve correction;
+    /// Of every element, beside its law; free forces of a diagnosis, none when empty.
+    ForceSpectrum own_force;
 };
 
 /// First free–free bending mode of the car body. Displacement of the body at x: heave + x·pitch + φ(x)·q with

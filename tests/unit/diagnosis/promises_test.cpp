@@ -5,6 +5,7 @@
 #include <Eigen/Dense>
 #include <numbers>
 
+#include "diagnosis/corrections.hpp"
 #include "diagnosis/screen.hpp"
 #include "tests/unit/diagnosis/synthesised_fixture.hpp"
 
@@ -64,6 +65,27 @@ TEST(ReleaseGain, IsTheRatioOfEvidences) {
 TEST(ReleaseGain, NothingWhereTheDataSayNothing) {
     const Fit fit = gaussian_fit({0.3, 0.0}, Eigen::Matrix2d(Eigen::Vector2d(0.0, 50.0).asDiagonal()));
     EXPECT_EQ(release_gain(fit, 0, 1.15), 0.0);
+}
+
+// A power cannot be negative: forces of the secondary suspension that are not there promise nothing that the factor on its stiffness alone does not promise.
+TEST(PromisesOf, PowersDoNotFall) {
+    Synthesised made = synthesised(paper_believed({"vehicle.primary.stiffness_n_per_m"}), {20.0}, 60.0, nine_channels(), kSmall);
+    made.draw(22);
+    const std::vector<Unknown> own = nuisance_unknowns(made.believed, made.observations);
+    const Fit fitted = fit(believed_trial(made.believed, made.observations), own, means(own), made.context());
+    const std::vector<Unknown> freedom = correction_unknowns({.element = Element::secondary, .channel = {}, .forces = true}, made.observations);
+    const FreedomPromise promise = promises_of(fitted, {freedom}, made.context()).front();
+    int powers = 0, kept = 0;
+    for (std::size_t i = 0; i < freedom.size(); ++i) {
+        if (freedom[i].low < freedom[i].mean) continue;
+        ++powers;
+        const double value = promise.values(static_cast<long>(i)), variance = promise.covariance(static_cast<long>(i), static_cast<long>(i));
+        EXPECT_GE(value, 0.0) << freedom[i].name;
+        EXPECT_EQ(variance > 0.0, value > 0.0) << freedom[i].name;
+        kept += value > 0.0;
+    }
+    EXPECT_EQ(powers, 7);
+    EXPECT_LT(kept, powers);  // by chance every second would fall
 }
 
 // A fit and a freedom whose likelihood is nearly Gaussian: many averages, a small truth. The promise must be what the evidences of the
