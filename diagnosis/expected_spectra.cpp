@@ -202,7 +202,7 @@ void add_excitation(const pem::CaseParameters& parameters, double speed, const E
                      {.first = grid.first, .count = grid.count, .first_bin = expected.first_bin, .bins = expected.bins()}, expected.values);
     for (const pem::DelayedSpectrum& source : pem::pad_distortion(parts.pads, excitation.broadband, wheels, speed))
         add_as_it_is(parts.transfers, source, wheels, speed, bin, expected);
-    for (const pem::DelayedSpectrum& source : pem::distortion_sources(contacts, pem::distorting_nonlinearity(parameters.contact)))
+    for (const pem::DelayedSpectrum& source : pem::distortion_sources(contacts, parameters))
         add_as_it_is(parts.transfers, source, wheels, speed, bin, expected);
     add_felt(parts.transfers, parts.felt, excitation.broadband.front(), wheels, speed, bin, expected);
     // Of wheels out of round what supports make of them: lines of joints hardly stand above the irregularity, those of passing supports act on each other (feed_back_lines).

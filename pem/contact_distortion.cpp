@@ -20,6 +20,10 @@ double shortest_wave(const spectra::IrregularityParameters& irregularity) {
     return shortest;
 }
 
+double static_approach(const CaseParameters& parameters) {
+    return contact_constant(parameters.contact, parameters.vehicle.wheel_radius_m) * std::pow(wheel_load_n(parameters), 2.0 / 3.0);
+}
+
 /// Contact forces per unit irregularity at kSquareStep_hz, 2·kSquareStep_hz, … to the shortest wave.
 SquareTransfers force_transfers(const CaseParameters& parameters, double speed) {
     const CoupledModel model = coupled_model(parameters, speed);
@@ -60,7 +64,7 @@ ContactDistortion contact_distortion(const CaseParameters& parameters, double sp
     const PairCorrelations correlations = pair_correlations(transfers, excitation(parameters, wheels, speed).broadband, wheels, speed, kHighestOrder);
     double variance = 0.0;
     for (std::size_t wheel = 0; wheel < 4; ++wheel) variance += 0.25 * correlations.variance(wheel);
-    ContactDistortion result{.static_approach_m = contact_constant(parameters.contact, parameters.vehicle.wheel_radius_m) * std::cbrt(load * load), .force_variation = std::sqrt(variance) / load, .power = {}};
+    ContactDistortion result{.force_variation = std::sqrt(variance) / load, .static_approach_m = static_approach(parameters), .nonlinearity = parameters.contact.nonlinearity_factor, .power = {}};
     for (int order = 2; order <= kHighestOrder; ++order) result.power.push_back(contrasts_of_powers(correlations, order, variance));
     return result;
 }
@@ -78,21 +82,20 @@ ApproachOrders approach_orders(double nonlinearity, double force_variation) {
     });
 }
 
-std::vector<DelayedSpectrum> distortion_sources(const ContactDistortion& distortion, double nonlinearity) {
+std::vector<DelayedSpectrum> distortion_sources(const ContactDistortion& distortion, const CaseParameters& parameters) {
     std::vector<DelayedSpectrum> sources;
     if (distortion.power.empty()) return sources;
-    const ApproachOrders orders = approach_orders(nonlinearity, distortion.force_variation);
+    const double own = parameters.contact.nonlinearity_factor, at_rest = own == distortion.nonlinearity ? distortion.static_approach_m : static_approach(parameters);
+    const ApproachOrders orders = at_rest * approach_orders(own > 0.0 ? own : 1.0, distortion.force_variation);
     for (std::size_t contrast = 0; contrast < kContrasts.size(); ++contrast) {
         std::vector<double> power(distortion.power.front()[contrast].size(), 0.0);
         for (std::size_t order = 0; order < distortion.power.size(); ++order) {
-            const double share = std::pow(distortion.static_approach_m * orders(static_cast<long>(order)), 2);
+            const double share = std::pow(orders(static_cast<long>(order)), 2);
             for (std::size_t k = 0; k < power.size(); ++k) power[k] += share * distortion.power[order][contrast][k];
         }
         sources.push_back(contrast_source("contact_distortion", contrast, std::move(power)));
     }
     return sources;
 }
-
-double distorting_nonlinearity(const ContactParameters& contact) { return contact.nonlinearity_factor > 0.0 ? contact.nonlinearity_factor : 1.0; }
 
 }  // namespace railpem::pem

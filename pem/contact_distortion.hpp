@@ -16,8 +16,9 @@ using ApproachOrders = Eigen::Array<double, kHighestOrder - 1, 1>;
 /// What the contacts distort, all but the nonlinearity. Under a load P0 + F(t) with Gaussian F of deviation σ wheel and rail approach by δ0·y(1 + F/P0) (contact_approach()) = Σ c_n·He_n(F/σ); the first two
 /// are the static approach and the linearised compliance, the rest acts like an irregularity under the wheel, with cross-spectra n!·c_n² times those of the n-th powers of the correlation (Mehler 1866).
 struct ContactDistortion {
-    double static_approach_m = 0.0;  ///< δ0 = G·P0^{2/3} (Wei et al. 2016, (7))
     double force_variation = 0.0;    ///< σ/P0, of the four wheels
+    double static_approach_m = 0.0;  ///< δ0 = G·P0^{2/3} (Wei et al. 2016, (7))
+    double nonlinearity = 0.0;       ///< share of the Hertzian one that the case has; 0: linear, and Hertz is taken, because that is what real contacts are
     std::vector<std::vector<std::vector<double>>> power;  ///< [order − 2][contrast][Hz]: contrasts_of_powers() of the forces over σ; none: no distortion
 };
 
@@ -27,11 +28,9 @@ ContactDistortion contact_distortion(const CaseParameters& parameters, double sp
 /// √n!·c_n/δ0 from n = 2 on: whose squares are what each order holds of the variance of the approach, over δ0².
 ApproachOrders approach_orders(double nonlinearity, double force_variation);
 
-/// The sources of contacts with a share of the Hertzian nonlinearity, as second_order.hpp has them.
-std::vector<DelayedSpectrum> distortion_sources(const ContactDistortion& distortion, double nonlinearity);
-
-/// The share of a case: Hertz where it is linear, because that is what real contacts are.
-double distorting_nonlinearity(const ContactParameters& contact);
+/// The sources of the contacts of a case under these forces, as second_order.hpp has them. A case with another nonlinearity has its own static approach, too. Otherwise that is held: a fit that could
+/// soften the contact had a noise that explains anything (1.6 times the nonlinearity went into the contact's constant and the rail's numbers).
+std::vector<DelayedSpectrum> distortion_sources(const ContactDistortion& distortion, const CaseParameters& parameters);
 
 /// rms of the contact force beyond its static part, over that, of the wheel where it is largest; of all waves to the shortest, by steps of 1 Hz. From about a quarter on wheels leave the rail now and then, and no order of
 /// the contact's law describes that.

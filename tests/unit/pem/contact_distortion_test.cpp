@@ -69,16 +69,24 @@ TEST(ContrastsOfPowers, OfALorentzianAreLorentzians) {
             for (const std::size_t f : {10u, 150u, 400u}) EXPECT_NEAR(psd[f] / (lorentzian(static_cast<double>(f), power * kDecay) / 16.0), 1.0, 0.04) << power << " at " << f;
 }
 
-// Twice the nonlinearity: four times the power of the second order, which is nearly all at a twentieth of the static load.
+// Twice the nonlinearity: four times the power of the second order, which is nearly all at a twentieth of the static load. With the square of the contact constant, whose approach it is a share of, where the nonlinearity is another.
 TEST(ContactDistortion, GrowsWithTheNonlinearity) {
     CaseParameters c = tests::paper_case(1);
     c.solver.moving = true;
     c.irregularity.level_db = -12.0;
     const ContactDistortion distortion = contact_distortion(c, 33.0, [](double) { return 1.0; });
     EXPECT_LT(distortion.force_variation, 0.06);
-    const double once = distortion_sources(distortion, 1.0).front().psd_m2_per_hz(65.0), twice = distortion_sources(distortion, 2.0).front().psd_m2_per_hz(65.0);
-    EXPECT_NEAR(twice / once, 4.0, 0.1);
-    EXPECT_TRUE(distortion_sources({}, 1.0).empty());
+    const auto power = [&](double nonlinearity, double softness) {
+        CaseParameters other = c;
+        other.contact.nonlinearity_factor = nonlinearity;
+        other.contact.constant_m_per_n23 = softness * contact_constant(c.contact, c.vehicle.wheel_radius_m);
+        return distortion_sources(distortion, other).front().psd_m2_per_hz(65.0);
+    };
+    EXPECT_EQ(power(0.0, 1.0), power(1.0, 1.0));
+    EXPECT_NEAR(power(2.0, 1.0) / power(1.0, 1.0), 4.0, 0.1);
+    EXPECT_EQ(power(0.0, 1.1), power(0.0, 1.0));                  // held
+    EXPECT_NEAR(power(2.0, 1.1) / power(2.0, 1.0), 1.21, 1e-12);  // its own
+    EXPECT_TRUE(distortion_sources({}, c).empty());
 }
 
 // The variation is that of contact_force_variation(), which takes the largest of four wheels that hardly differ and sums its lines one by one.
