@@ -117,8 +117,8 @@ TEST(NullRecord, FastenersFailedAtRandom) {
     EXPECT_NEAR(mean_trace(series, model, 4.0), 1.0, 0.08);
 }
 
-// A contact stiffens under the load of every moment, and the rougher the track the more. The record is the Hertzian march itself, on class 6 raised by 3 dB: without the source the trace is
-// 1.05, with it 1.02, and 1.00 is what the estimator's own scatter leaves it within (other tests here). At 6 dB wheels leave the rail, and no second order describes that.
+// A contact stiffens under the load of every moment, and the rougher the track the more. The record is the Hertzian march itself, on class 6 raised by 3 dB: without the sources the trace is
+// 1.040, with them 1.004, and 1.00 is what the estimator's own scatter leaves it within (other tests here). At 6 dB wheels leave the rail, and no law of the load alone describes that.
 TEST(NullRecord, ContactsThatStiffenUnderLoadDistort) {
     constexpr double kFast = 33.0;
     pem::CaseParameters model = tests::paper_case(1);
@@ -130,7 +130,7 @@ TEST(NullRecord, ContactsThatStiffenUnderLoadDistort) {
     model.running.speed_fluctuation = 1e-5;
     const auto as_believed = [](double) { return 1.0; };
     EXPECT_NEAR(mean_trace(series, model, 4.0, kFast, pem::contact_distortion(model, kFast, as_believed)), 1.0, 0.03);
-    EXPECT_GE(mean_trace(series, model, 4.0, kFast), 1.04);
+    EXPECT_GE(mean_trace(series, model, 4.0, kFast), 1.03);
 }
 
 // Three times the Hertzian nonlinearity on class 6 as it is: with what all orders of it make of the forces, linearised about them, the march is what is expected; with Hertz alone it is not.
