@@ -1,5 +1,6 @@
 #include "diagnosis/diagnose.hpp"
 
+#include <algorithm>
 #include <chrono>
 
 #include "diagnosis/locate.hpp"
@@ -35,6 +36,7 @@ class Diagnosing {
         }
         if (drop_superfluous(naming_, options_.thresholds)) naming_.left_by_best.clear();  // it was of a set that is gone
         study_places();
+        try_beside();
         const Decision decision = decide(naming_, study_, options_.thresholds);
         say("refitting on everything", 0.92);
         refit(decision);
@@ -51,7 +53,7 @@ class Diagnosing {
 
     static std::vector<PlaceEvidence> evidence(const std::vector<LocatedEvidence>& located) {
         std::vector<PlaceEvidence> result;
-        for (const LocatedEvidence& own : located) result.push_back({.element = own.place.element, .nats = own.nats});
+        for (const LocatedEvidence& own : located) result.push_back({.element = own.place.element, .nats = own.nats, .forces = own.place.forces});
         return result;
     }
 
@@ -71,8 +73,24 @@ class Diagnosing {
             say("free correction of the " + element_name(own.place.element), 0.82 + 0.05 * i);
             FitOptions fit_options{.iterations = kAnonymousIterations, .least_gain = kAnonymousGain, .from_far = false};
             if (!naming_.sets.empty()) fit_options.rival = &naming_.sets.front().fit, fit_options.room = kRoomForCurve;
-            study_.anonymous.push_back(fit_correction(believed_, naming_.retuned.fit, own, context_, fit_options));
+            study_.anonymous.push_back(fit_correction(believed_, naming_.retuned, own, context_, fit_options));
         }
+    }
+
+    /// What an unknown outdoes may still stand beside it, if both together outdo the unknown alone: of a bump stop friction and a rougher track were all that could be named, and neither was there.
+    void try_beside() {
+        if (naming_.sets.empty() || study_.anonymous.empty()) return;
+        FittedSet& best = naming_.sets.front();
+        const auto lower = [](const FittedSet& a, const FittedSet& b) { return a.score() < b.score(); };
+        const FittedSet& unknown = *std::max_element(study_.anonymous.begin(), study_.anonymous.end(), lower);
+        if (unknown.score() < best.score() + options_.thresholds.anonymous) return;
+        say("the named beside the unknown", 0.91);
+        if (naming_.left_by_best.empty()) naming_.left_by_best = locate(best.fit, context_);
+        const Element element = unknown.anonymous.front().element;
+        for (const LocatedEvidence& own : naming_.left_by_best)
+            if (own.place.element == element)
+                study_.named_stands = fit_correction(believed_, best, own, context_, {.iterations = kAnonymousIterations, .least_gain = kAnonymousGain, .from_far = false}).score() >
+                                      unknown.score() + options_.thresholds.least_gain;
     }
 
     /// The retuned case and the named one, refitted on all of the recordings.

@@ -56,6 +56,7 @@ struct PlaceEvidence {
     Element element = Element::body;
     double probability = 0.0;
     double nats = 0.0;
+    bool forces = false;  ///< what helps there most are forces of its own, which no linear law makes
 };
 
 /// A band of a channel where the retuned case differs from the recording beyond chance.

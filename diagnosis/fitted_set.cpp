@@ -103,7 +103,8 @@ FittedSet fit_set(const BelievedCase& believed, const Fit& near, std::vector<Can
     return set;
 }
 
-FittedSet fit_correction(const BelievedCase& believed, const Fit& near, const LocatedEvidence& located, const LikelihoodContext& context, const FitOptions& options) {
+FittedSet fit_correction(const BelievedCase& believed, const FittedSet& beside, const LocatedEvidence& located, const LikelihoodContext& context, const FitOptions& options) {
+    const Fit& near = beside.fit;
     const std::vector<Unknown> freedom = correction_unknowns(located.place, *context.observations);
     Fit best;
     double highest = -std::numeric_limits<double>::infinity();
@@ -115,12 +116,12 @@ FittedSet fit_correction(const BelievedCase& believed, const Fit& near, const Lo
             moved.values.push_back(freedom[u].mean + part * located.promise.values(static_cast<long>(u)));
         }
         for (std::size_t u = 0; u < moved.values.size(); ++u) moved.values[u] = std::clamp(moved.values[u], moved.unknowns[u].low, moved.unknowns[u].high);
-        const Supposition supposition = suppose(believed, moved, {}, {}, {located.place}, context);
+        const Supposition supposition = suppose(believed, moved, beside.effects, beside.released, {located.place}, context);
         const double posterior = log_posterior_at(supposition.trial, supposition.unknowns, supposition.start, context);
         if (posterior > highest) highest = posterior, best = std::move(moved);
         if (highest > near.log_posterior) break;
     }
-    return fit_set(believed, best, {}, {}, {located.place}, context, options);
+    return fit_set(believed, best, beside.effects, beside.released, {located.place}, context, options);
 }
 
 }  // namespace railpem::diagnosis

@@ -40,8 +40,8 @@ Supposition suppose(const BelievedCase& believed, const Fit& near, const std::ve
 FittedSet fit_set(const BelievedCase& believed, const Fit& near, std::vector<Candidate> effects, std::vector<std::string> released,
                   std::vector<CorrectionPlace> anonymous, const LikelihoodContext& context, const FitOptions& options);
 
-/// Fits the free correction of a place from where its promise at `near` leads.
-FittedSet fit_correction(const BelievedCase& believed, const Fit& near, const LocatedEvidence& located, const LikelihoodContext& context, const FitOptions& options);
+/// Fits the free correction of a place beside what a set has named, if anything, from where its promise at that set's fit leads.
+FittedSet fit_correction(const BelievedCase& believed, const FittedSet& beside, const LocatedEvidence& located, const LikelihoodContext& context, const FitOptions& options);
 
 /// Nats that a set would gain, to second order, if one parameter of its effects could leave the range in which its physics is believed: a
 /// fit that leans on such a bound says that the physics is another. 0 when all lie inside.

@@ -122,7 +122,7 @@ Decision decide(const NamingResult& naming, const PlaceStudy& places, const Verd
     const double nothing = naming.retuned.score();
     const FittedSet* best = naming.sets.empty() ? nullptr : &naming.sets.front();
     const bool gains = best && best->score() > nothing + thresholds.least_gain && !unseen_disagrees(naming.retuned, *best, naming.unseen_share);
-    if (gains) {
+    if (gains && (decision.unknown_score < best->score() + thresholds.anonymous || places.named_stands)) {
         decision.named = best;
         for (const FittedSet& set : naming.sets)
             if (&set == best || (set.score() > best->score() - thresholds.credible && !contains(set, *best) && !leans(set, nothing)))
@@ -180,7 +180,7 @@ std::vector<double> shares_of(const FittedSet& set, const NamingResult& naming) 
 
 std::vector<PlaceEvidence> place_probabilities(const NamingResult& naming, const PlaceStudy& places, const Decision& decision) {
     std::map<Element, PlaceEvidence> found;
-    for (const PlaceEvidence& place : places.at_retuned) found[place.element] = {place.element, 0.0, place.nats};
+    for (const PlaceEvidence& place : places.at_retuned) found[place.element] = {.element = place.element, .nats = place.nats, .forces = place.forces};
     const double best = best_score(naming, decision);
     double sum = weight_of(decision.unknown_score, best);
     for (const FittedSet& set : naming.sets) sum += weight_of(set.score(), best);
@@ -227,7 +227,9 @@ std::string named_in_words(const Diagnosis& diagnosis) {
 
 std::string place_in_words(const Diagnosis& diagnosis) {
     if (diagnosis.places.empty()) return "no place stands out";
-    return fmt::format("the place where a free correction helps most is the {} ({:.0f} nats)", element_name(diagnosis.places.front().element), diagnosis.places.front().nats);
+    const PlaceEvidence& place = diagnosis.places.front();
+    return fmt::format("the place where a free correction helps most is the {} ({:.0f} nats{})", element_name(place.element), place.nats,
+                       place.forces ? ", by forces of its own, as of a stop, a play or a stick, rather than by another stiffness or damping" : "");
 }
 
 }  // namespace

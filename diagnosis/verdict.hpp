@@ -11,6 +11,7 @@ struct PlaceStudy {
     std::vector<PlaceEvidence> at_retuned;  ///< ranked; what each would explain of what retuning leaves
     std::vector<PlaceEvidence> at_named;    ///< the same beside the named set: what is still missing
     std::vector<FittedSet> anonymous;       ///< fully fitted free corrections of the best places
+    bool named_stands = true;               ///< where the unknown outdoes the best set: whether that explains something beside it
     double by_retuned = 0.0;                ///< nats that the retuned case misses: missed_by()
     double by_named = 0.0;                  ///< and the best set
 };

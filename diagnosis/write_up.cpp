@@ -274,10 +274,10 @@ class WritingUp {
         if (!result_.per_value) result_.rests_on.push_back("ratios between the channels, which do not care what the irregularity is");
         for (const RetunedNumber& number : result_.numbers)
             if (number.outside) result_.remains.push_back(number.key + " ends " + std::to_string(std::abs(number.tolerances_away)).substr(0, 4) + " tolerances away from what was believed");
-        const double missed = result_.omitted.empty() ? study_.by_retuned : study_.by_named;
+        const double missed = decision_.named ? study_.by_named : study_.by_retuned;
         if (missed > thresholds_.residual)
             result_.remains.push_back(fmt::format("the unseen part repeats {:.0f} nats of what the fit misses, more than chance: something of the recordings has no name here", missed));
-        if (!study_.at_named.empty() && study_.at_named.front().nats > thresholds_.residual)
+        if (decision_.named && !study_.at_named.empty() && study_.at_named.front().nats > thresholds_.residual)
             result_.remains.push_back(fmt::format("a free correction of the {} would still bring {:.0f} nats", element_name(study_.at_named.front().element), std::trunc(study_.at_named.front().nats)));
         for (const std::string& said : wheel_unloading(named_.fit.trial, believed_, observations_)) result_.remains.push_back(said);
     }

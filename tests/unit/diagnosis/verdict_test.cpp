@@ -134,6 +134,20 @@ TEST(Decide, ForgivesAnApproximationAtTheEndOfItsRange) {
     EXPECT_EQ(decide(naming_of({exact}), {}, thresholds).verdict, Verdict::unexplained);
 }
 
+// An unknown that outdoes the best set takes its name, unless both together say more than the unknown alone.
+TEST(Decide, NamesBesideAnUnknownOnlyWhatStandsBesideIt) {
+    const NamingResult naming = naming_of({set_of({"rail-shear"}, {}, 100.0, 10.0)});
+    for (const bool stands : {true, false}) {
+        PlaceStudy study{.named_stands = stands};
+        study.anonymous = {set_of({}, {}, 150.0, 10.0)};
+        const Decision decision = decide(naming, study, thresholds);
+        EXPECT_EQ(decision.verdict, Verdict::unexplained);
+        EXPECT_EQ(decision.named != nullptr, stands);
+        study.anonymous = {set_of({}, {}, 102.0, 10.0)};  // not outdone
+        EXPECT_NE(decide(naming, study, thresholds).named, nullptr);
+    }
+}
+
 TEST(Decide, LeavesEqualsTogether) {
     const NamingResult naming = naming_of({set_of({"rail-shear"}, {}, 100.0, 10.0), set_of({"body-bending"}, {}, 97.0, 10.0), set_of({"body-bending"}, {}, 95.0, 10.0)});
     const Decision decision = decide(naming, {}, thresholds);
@@ -205,6 +219,8 @@ TEST(Statement, UnexplainedNamesThePlace) {
     EXPECT_EQ(statement_of(diagnosis), "Something is missing that no known effect explains: no place stands out.");
     diagnosis.places = {{.element = Element::rail, .probability = 0.97, .nats = 14.2}, {.element = Element::pad, .probability = 0.03, .nats = 6.0}};
     EXPECT_EQ(statement_of(diagnosis), "Something is missing that no known effect explains: the place where a free correction helps most is the rail (14 nats).");
+    diagnosis.places.front() = {.element = Element::secondary, .nats = 90.0, .forces = true};
+    EXPECT_NE(statement_of(diagnosis).find("secondary (90 nats, by forces of its own, as of a stop"), std::string::npos);
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ TEST(InferredCurve, HoldsTheTrueLawInItsBandAndNoConstant) {
     const std::vector<LocatedEvidence> places = locate(retuned, made.context(Part::fitted, 2));
     const auto pad = std::find_if(places.begin(), places.end(), [](const LocatedEvidence& own) { return own.place.element == Element::pad; });
     ASSERT_NE(pad, places.end());
-    const FittedSet free = fit_correction(made.believed, retuned, *pad, made.context(Part::fitted, 2), {.iterations = 20, .from_far = false});
+    const FittedSet free = fit_correction(made.believed, {.fit = retuned}, *pad, made.context(Part::fitted, 2), {.iterations = 20, .from_far = false});
     const InferredCurve curve = inferred_curve(free.fit, pad->place, made.believed, made.observations);
 
     const pem::CaseParameters truth = case_of(made.truth, made.believed, made.observations[0]);
