@@ -106,7 +106,7 @@ bool drop_superfluous(NamingResult& naming, const VerdictThresholds& thresholds)
     for (std::size_t i = 0; i < naming.sets.size(); ++i) {
         const FittedSet& set = naming.sets[i];
         const auto here = naming.sets.begin() + static_cast<long>(i);
-        const bool superfluous = unseen_disagrees(naming.retuned, set, naming.unseen_share) ||
+        const bool superfluous = (set.members() == 1 && is_trifling(set)) || unseen_disagrees(naming.retuned, set, naming.unseen_share) ||
                                  std::any_of(naming.sets.begin(), here, [&](const FittedSet& better) { return is_the_same(better, set); }) ||
                                  std::any_of(naming.sets.begin(), naming.sets.end(), [&](const FittedSet& own) { return says_as_much(own, set, naming, thresholds); });
         if (!superfluous) kept.push_back(set);

@@ -105,6 +105,18 @@ TEST(DropSuperfluous, TakesAMemberOfWhichNobodyWouldSpeak) {
     }
 }
 
+// Alone, too: a contact whose nonlinearity is that of Hertz within what its constant is known by is nothing to speak of, however well it fits.
+TEST(DropSuperfluous, TakesASingleOfWhichNobodyWouldSpeak) {
+    for (const auto& [factor, dropped] : {std::pair(1.02, true), std::pair(1.3, false)}) {
+        FittedSet contact = set_of({"contact-nonlinearity"}, {}, 150.0, 20.0);
+        contact.fit.unknowns = {{.kind = UnknownKind::effect, .name = "contact-nonlinearity.factor", .low = 1.0, .high = 5.0}};
+        contact.fit.values = {factor};
+        contact.fit.gradient = Eigen::VectorXd::Zero(1);
+        NamingResult naming = naming_of({contact});
+        EXPECT_EQ(drop_superfluous(naming, thresholds), dropped) << factor;
+    }
+}
+
 TEST(Decide, NamesWhatGains) {
     const NamingResult naming = naming_of({set_of({"rail-shear"}, {}, 100.0, 10.0)});
     EXPECT_EQ(decide(naming, {}, thresholds).verdict, Verdict::explained);
