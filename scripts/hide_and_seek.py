@@ -127,10 +127,10 @@ def line_of(effect, seed, options, truth, numbers, found):
                 if isinstance(value, (int, float)) and "low" in interval:
                     total += 1
                     inside += interval["low"] <= value <= interval["high"]
-    if effect in OUTSIDE:
-        right = found["verdict"] == "unexplained" and sits_at(truth[0], found["places"][0]["element"])
     covered = [n for n in found["numbers"] if n["key"] in numbers]
     first = found["places"][0]["element"] if found["places"] else ""
+    if effect in OUTSIDE:
+        right = found["verdict"] == "unexplained" and first != "" and sits_at(truth[0], first)
     fit = found["fit"]
     return {
         "hidden": effect, "seed": seed, "speeds_m_per_s": " ".join(options.speeds),
