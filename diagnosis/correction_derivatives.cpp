@@ -26,8 +26,8 @@ std::vector<PredictionDerivative> correction_derivatives(const Fit& fit, const C
     const std::vector<Observation>& observations = *context.observations;
     const std::vector<Unknown> freedom = correction_unknowns(place, observations);
     const auto is_scalar = [](const Observation& observation) { return observation.scalar.has_value(); };
-    if (acts_elsewhere(place.element) || std::any_of(observations.begin(), observations.end(), is_scalar)) return differentiate(fit.trial, freedom, means(freedom), fit.predictions, context);
-    const std::vector<double> nodes = correction_nodes(observations);
+    if ((acts_elsewhere(place.element) && !place.forces) || std::any_of(observations.begin(), observations.end(), is_scalar)) return differentiate(fit.trial, freedom, means(freedom), fit.predictions, context);
+    const std::vector<double> nodes = correction_nodes(place, observations);
     const std::vector<Unknown> whole = whole_curves(freedom, nodes.size());
     std::vector<PredictionDerivative> result;
     for (const PredictionDerivative& part : differentiate(fit.trial, whole, means(whole), fit.predictions, context))

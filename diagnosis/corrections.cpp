@@ -17,6 +17,7 @@ namespace railpem::diagnosis {
 namespace {
 
 constexpr int kNodes = 7;              ///< of a correction: one an octave
+constexpr int kNodesOfAMass = 13;      ///< two an octave: what hangs on a mass resonates in less than an octave (of an absorber on the axles, the place was the contact)
 constexpr double kDeviation = 0.3;     ///< of a correction: what is left out moves a place by tens of percent
 constexpr double kForceDeviation = 0.1; ///< of the power of forces of its own, in multiples of the reference
 constexpr std::size_t kForcePart = 2;   ///< behind real and imaginary part
@@ -44,6 +45,9 @@ auto* structure_curve(Case& parameters, const CorrectionPlace& place) {
     }
     return none;
 }
+
+/// What each wheel meets by itself, and no factor.
+bool is_track_alone(const CorrectionPlace& place) { return place.forces && place.element == Element::pad; }
 
 enum class Point { centre, front, rear };
 
@@ -124,6 +128,25 @@ Unknown force_unknown(const CorrectionPlace& place, const std::vector<double>& n
             }};
 }
 
+/// It acts like an irregularity, and shares what that shares.
+Unknown wheels_own_unknown(const std::vector<double>& nodes, std::size_t node) {
+    return {.kind = UnknownKind::correction,
+            .name = fmt::format("what wheels meet alone at {:.3g} Hz", nodes[node]),
+            .deviation = kForceDeviation,
+            .low = 0.0,
+            .high = 5.0,
+            .step = kStep,
+            .element = Element::irregularity,
+            .set = [nodes, node](Trial& trial, double x) {
+                pem::WheelsOwn& own = trial.numbers.wheels_own;
+                if (own.empty()) {
+                    own.frequency_hz = nodes;
+                    own.share.assign(nodes.size(), 0.0);
+                }
+                own.share[node] = x;
+            }};
+}
+
 Unknown spectrum_unknown(const std::vector<double>& nodes, std::size_t node) {
     return {.kind = UnknownKind::correction,
             .name = fmt::format("correction of excitation at {:.3g} Hz", nodes[node]),
@@ -157,7 +180,7 @@ std::complex<double> correction_at(const pem::CaseParameters& parameters, const 
 }
 
 double correction_weight(const CorrectionPlace& place, std::size_t part, const std::vector<double>& nodes, std::size_t node, double frequency_hz) {
-    if (place.forces && part == kForcePart) return vehicle::ForceSpectrum::weight(nodes, node, frequency_hz);
+    if (place.forces && part == (is_track_alone(place) ? 0 : kForcePart)) return vehicle::ForceSpectrum::weight(nodes, node, frequency_hz);
     if (place.element == Element::irregularity) {
         spectra::LogFrequencySpline own{nodes, std::vector<double>(nodes.size(), 0.0)};
         own.log_factor[node] = 1.0;
@@ -168,14 +191,16 @@ double correction_weight(const CorrectionPlace& place, std::size_t part, const s
     return own.at(2.0 * std::numbers::pi * frequency_hz).real();
 }
 
-std::vector<double> correction_nodes(const std::vector<Observation>& observations) {
+std::vector<double> correction_nodes(const CorrectionPlace& place, const std::vector<Observation>& observations) {
     double low = 1e300, high = 0.0;
     for (const Observation& observation : observations) {
         low = std::min(low, observation.expectation.low_hz);
         high = std::max(high, observation.expectation.high_hz);
     }
     std::vector<double> nodes;
-    for (int i = 0; i < kNodes; ++i) nodes.push_back(low * std::pow(high / low, static_cast<double>(i) / (kNodes - 1)));
+    const bool is_mass = !place.attached && (place.element == Element::body || place.element == Element::bogie || place.element == Element::wheel);
+    const int count = is_mass ? kNodesOfAMass : kNodes;
+    for (int i = 0; i < count; ++i) nodes.push_back(low * std::pow(high / low, static_cast<double>(i) / (count - 1)));
     return nodes;
 }
 
@@ -189,7 +214,7 @@ std::vector<CorrectionPlace> correction_places(const BelievedCase& believed, con
         for (int which = 0; which <= count; ++which) places.push_back({.element = element, .channel = {}, .which = which});
         if (element == Element::body || element == Element::bogie) places.push_back({.element = element, .channel = {}, .attached = true});
         const auto is_series = [](const Observation& own) { return !own.scalar; };
-        if ((element == Element::secondary || element == Element::primary) && std::any_of(observations.begin(), observations.end(), is_series))
+        if ((element == Element::secondary || element == Element::primary || element == Element::pad) && std::any_of(observations.begin(), observations.end(), is_series))
             places.push_back({.element = element, .channel = {}, .forces = true});
     }
     std::set<std::string> channels;
@@ -201,11 +226,15 @@ std::vector<CorrectionPlace> correction_places(const BelievedCase& believed, con
 }
 
 std::vector<Unknown> correction_unknowns(const CorrectionPlace& place, const std::vector<Observation>& observations) {
-    const std::vector<double> nodes = correction_nodes(observations);
+    const std::vector<double> nodes = correction_nodes(place, observations);
     std::vector<Unknown> unknowns;
     for (std::size_t node = 0; node < nodes.size(); ++node) {
         if (place.element == Element::irregularity) {
             unknowns.push_back(spectrum_unknown(nodes, node));
+            continue;
+        }
+        if (is_track_alone(place)) {
+            unknowns.push_back(wheels_own_unknown(nodes, node));
             continue;
         }
         for (const bool imaginary : {false, true}) {

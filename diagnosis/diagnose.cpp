@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <chrono>
 
+#include "diagnosis/from_afar.hpp"
 #include "diagnosis/locate.hpp"
+#include "diagnosis/repeated_misfit.hpp"
 #include "diagnosis/robust_covariance.hpp"
 #include "diagnosis/verdict.hpp"
 #include "diagnosis/write_up.hpp"
@@ -15,6 +17,7 @@ namespace {
 constexpr int kAnonymousFits = 2;       ///< places whose free correction is fitted in full
 constexpr int kAnonymousIterations = 12;
 constexpr double kAnonymousGain = 1.0;  ///< nats: a score that decides between names within 3 needs no more
+constexpr double kMuchMisfit_per_s = 100.0;  ///< nats, as the search has it
 constexpr double kRoomForCurve = 300.0; ///< nats that a correction may stay behind the named set and still draw its curve
 
 class Diagnosing {
@@ -65,8 +68,14 @@ class Diagnosing {
         study_.by_retuned = missed_by(naming_.retuned.fit, context_);
         if (!naming_.sets.empty()) restore_caches(naming_.sets.front().fit, context_);
         if (!naming_.sets.empty()) study_.by_named = missed_by(naming_.sets.front().fit, context_);
+        if (!naming_.sets.empty()) study_.by_recording = constancy(naming_.sets.front().fit, context_);
         if (!naming_.sets.empty() && naming_.sets.front().score() > naming_.retuned.score() + options_.thresholds.least_gain)
             study_.at_named = evidence(naming_.left_by_best.empty() ? locate(naming_.sets.front().fit, context_) : naming_.left_by_best);
+        if (leaves_much()) {
+            study_.anonymous = corrections_from_afar(believed_, context_, [this](const std::string& what) { say(what, 0.85); });
+            if (!naming_.sets.empty() && leans(naming_.sets.front(), naming_.retuned.score())) study_.anonymous.push_back(fit_beyond_range(believed_, naming_.sets.front(), context_, {}));
+            return;
+        }
         for (int i = 0; i < kAnonymousFits && i < static_cast<int>(ranked.size()); ++i) {
             const LocatedEvidence& own = ranked[static_cast<std::size_t>(i)];
             if (own.nats < options_.naming.least_promise) break;
@@ -75,6 +84,16 @@ class Diagnosing {
             if (!naming_.sets.empty()) fit_options.rival = &naming_.sets.front().fit, fit_options.room = kRoomForCurve;
             study_.anonymous.push_back(fit_correction(believed_, naming_.retuned, own, context_, fit_options));
         }
+    }
+
+    /// Retuning leaves so much that no promise at its end says where to, and what was named does not stand.
+    bool leaves_much() const {
+        if (study_.by_retuned < kMuchMisfit_per_s * repeated_misfit(naming_.retuned.fit.trial, naming_.retuned.fit.predictions, context_).seconds) return false;
+        if (naming_.sets.empty()) return true;
+        const FittedSet& best = naming_.sets.front();
+        const double nothing = naming_.retuned.score(), residual = options_.thresholds.residual;
+        return best.score() <= nothing + options_.thresholds.least_gain || leans(best, nothing) || study_.by_named > misfit_left(best, nothing, residual) ||
+               (!study_.at_named.empty() && study_.at_named.front().nats > nats_left(best, nothing, residual));
     }
 
     /// What an unknown outdoes may still stand beside it, if both together outdo the unknown alone: of a bump stop friction and a rougher track were all that could be named, and neither was there.

@@ -16,11 +16,19 @@ enum class Verdict { consistent, explained, ambiguous, unexplained, recording_fa
 /// "consistent", "recording-fault", …
 std::string verdict_name(Verdict verdict);
 
+/// What one recording alone would have a parameter be.
+struct RecordedValue {
+    std::string recording;
+    double value = 0.0;
+};
+
 /// A fitted value with its 90 % interval.
 struct FittedParameter {
     std::string name;
     double value = 0.0, low = 0.0, high = 0.0;
     std::string unit;
+    std::vector<RecordedValue> by_recording;  ///< where several speak of it
+    double nats_against_one_value = 0.0;      ///< by which those disagree beyond what the law gets wrong
 };
 
 /// An effect that was left out.

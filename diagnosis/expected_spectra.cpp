@@ -204,6 +204,7 @@ void add_excitation(const pem::CaseParameters& parameters, double speed, const E
         add_as_it_is(parts.transfers, source, wheels, speed, bin, expected);
     for (const pem::DelayedSpectrum& source : pem::distortion_sources(contacts, parameters))
         add_as_it_is(parts.transfers, source, wheels, speed, bin, expected);
+    if (!parameters.wheels_own.empty()) add_wheels_own(parameters, parts.transfers, excitation.broadband.front(), wheels, speed, bin, expected);
     add_felt(parts.transfers, parts.felt, excitation.broadband.front(), wheels, speed, bin, expected);
     // Of wheels out of round what supports make of them: lines of joints hardly stand above the irregularity, those of passing supports act on each other (feed_back_lines).
     for (const pem::LineSet& set : excitation.lines) {

@@ -53,21 +53,39 @@ void add_member(const Candidate& member, const Fit& near, Supposition& own) {
     own.trial.effects.push_back(member.instance);
 }
 
-}  // namespace
+/// The parameter that would gain most beyond its range.
+struct Furthest {
+    double nats = 0.0;
+    std::size_t unknown = 0;
+};
 
-double nats_beyond_range(const FittedSet& set) {
-    double most = 0.0;
+Furthest furthest_beyond(const FittedSet& set) {
+    Furthest most;
     for (std::size_t u = 0; u < set.fit.unknowns.size(); ++u) {
         const Unknown& unknown = set.fit.unknowns[u];
         if (unknown.kind != UnknownKind::effect) continue;
         const double slope = set.fit.gradient(static_cast<long>(u)), x = set.fit.values[u];
         if ((x >= unknown.high && slope > 0.0) || (x <= unknown.low && slope < 0.0)) {
-            const double deviation = set.fit.deviation(u);
-            most = std::max(most, 0.5 * slope * slope * deviation * deviation);
+            const double deviation = set.fit.deviation(u), nats = 0.5 * slope * slope * deviation * deviation;
+            if (nats > most.nats) most = {nats, u};
         }
     }
     return most;
 }
+
+/// By the range either way; nothing that is positive falls below a fifth of its least.
+void widen(const EffectParameter& parameter, Unknown& unknown) {
+    constexpr double kLeast = 0.2;
+    const double width = unknown.high - unknown.low;
+    unknown.low = std::max(unknown.low - width, parameter.low > 0.0 ? to_coordinate(parameter, kLeast * parameter.low) : -1e300);
+    unknown.high += width;
+    unknown.mean = 0.5 * (unknown.low + unknown.high);
+    unknown.deviation = 0.5 * (unknown.high - unknown.low);
+}
+
+}  // namespace
+
+double nats_beyond_range(const FittedSet& set) { return furthest_beyond(set).nats; }
 
 double part_log_likelihood(const Fit& fit, const LikelihoodContext& context, Part part) {
     if (fit.predictions.spectra.empty()) return -std::numeric_limits<double>::infinity();
@@ -122,6 +140,20 @@ FittedSet fit_correction(const BelievedCase& believed, const FittedSet& beside, 
         if (highest > near.log_posterior) break;
     }
     return fit_set(believed, best, beside.effects, beside.released, {located.place}, context, options);
+}
+
+FittedSet fit_beyond_range(const BelievedCase& believed, const FittedSet& leaning, const LikelihoodContext& context, const FitOptions& options) {
+    const std::size_t member = static_cast<std::size_t>(leaning.fit.unknowns[furthest_beyond(leaning).unknown].index) - believed.effects.size();
+    FittedSet set{.effects = {leaning.effects[member]}, .beyond = true};
+    Supposition own = suppose(believed, leaning.fit, set.effects, {}, {}, context);
+    for (Unknown& unknown : own.unknowns)
+        if (const EffectParameter* parameter = parameter_of(unknown)) widen(*parameter, unknown);
+    set.fit = fit(own.trial, std::move(own.unknowns), std::move(own.start), context, options);
+    const EffectInstance& instance = set.effects.front().instance;
+    set.anonymous = {{.element = element_of(*find_effect(instance.effect), instance), .channel = {}}};
+    set.log_prior = prior_of(set, believed.uncertain.size());
+    set.held_out = part_log_likelihood(set.fit, context, Part::held_out);
+    return set;
 }
 
 }  // namespace railpem::diagnosis

@@ -18,6 +18,7 @@ struct FittedSet {
     std::vector<Candidate> effects;     ///< as started; the fitted values are in fit.trial.effects
     std::vector<std::string> released;  ///< keys of numbers whose belief was given up (parameter-error)
     std::vector<CorrectionPlace> anonymous;
+    bool beyond = false;       ///< anonymous: no correction, but effects beyond the range of their physics
     Fit fit;
     double log_prior = 0.0;
     double held_out = 0.0;     ///< log-likelihood of the held-out part
@@ -42,6 +43,10 @@ FittedSet fit_set(const BelievedCase& believed, const Fit& near, std::vector<Can
 
 /// Fits the free correction of a place beside what a set has named, if anything, from where its promise at that set's fit leads.
 FittedSet fit_correction(const BelievedCase& believed, const FittedSet& beside, const LocatedEvidence& located, const LikelihoodContext& context, const FitOptions& options);
+
+/// The member of a set that leans most on its range, alone and with its parameters widened by their range either way (nothing that is positive falls below a fifth of its least): what the physics
+/// would have to be like that the set imitates. An anonymous set, of that member's place and with the prior of an unknown; `beyond` is set.
+FittedSet fit_beyond_range(const BelievedCase& believed, const FittedSet& leaning, const LikelihoodContext& context, const FitOptions& options);
 
 /// Nats that a set would gain, to second order, if one parameter of its effects could leave the range in which its physics is believed: a
 /// fit that leans on such a bound says that the physics is another. 0 when all lie inside.

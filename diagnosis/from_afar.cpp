@@ -5,6 +5,8 @@
 #include <string>
 #include <utility>
 
+#include "diagnosis/locate.hpp"
+
 namespace railpem::diagnosis {
 
 namespace {
@@ -14,6 +16,8 @@ constexpr const char* kTuned = "frequency_hz";
 constexpr std::size_t kClimbed = 2;         ///< of the starts, those most probable once the numbers have followed them
 constexpr int kBluntIterations = 2;
 constexpr int kFurtherBluntIterations = 6;  ///< of an effect's best start, and of the case without it
+constexpr std::size_t kBluntCorrections = 3;  ///< places whose free correction is fitted bluntly
+constexpr std::size_t kSharpCorrections = 2;  ///< and sharpened
 constexpr int kStepsOfAStage = 5;           ///< of sharpening
 
 /// Typical values, every parameter in turn near either end of its range, and the frequencies in question: something tuned is not found from half of its frequency.
@@ -126,18 +130,40 @@ std::vector<FittedSet> blunt_from_afar(const BelievedCase& believed, const Fit& 
     return sets;
 }
 
+std::vector<FittedSet> corrections_from_afar(const BelievedCase& believed, const LikelihoodContext& context, const std::function<void(const std::string&)>& between) {
+    const LikelihoodContext blunt = blunted(context, kBluntFloor);
+    FitOptions options{.iterations = kFurtherBluntIterations, .from_far = false};
+    const FittedSet retuned = fit_set(believed, Fit{}, {}, {}, {}, blunt, options);
+    between("locating in the structure, bluntly");
+    const std::vector<LocatedEvidence> located = locate(retuned.fit, blunt);
+    std::vector<FittedSet> sets;
+    for (std::size_t i = 0; i < std::min(kBluntCorrections, located.size()); ++i) {
+        const std::string what = "free correction of the " + element_name(located[i].place.element) + " from afar";
+        between(what);
+        options.between = [&] { between(what); };
+        sets.push_back(fit_correction(believed, retuned, located[i], blunt, options));
+    }
+    std::stable_sort(sets.begin(), sets.end(), [](const FittedSet& a, const FittedSet& b) { return a.score() > b.score(); });
+    if (sets.size() > kSharpCorrections) sets.erase(sets.begin() + static_cast<long>(kSharpCorrections), sets.end());
+    for (FittedSet& set : sets) {
+        const auto step = [&] { between("free correction of the " + element_name(set.anonymous.front().element) + ", sharpened"); };
+        set = sharpened(believed, half_sharpened(believed, set, context, step), context, step);
+    }
+    return sets;
+}
+
 FittedSet half_sharpened(const BelievedCase& believed, const FittedSet& blunt, const LikelihoodContext& context, const std::function<void()>& between) {
     FitOptions options{.iterations = kStepsOfAStage, .stages = {kBluntFloor}, .stage_iterations = kStepsOfAStage};
     options.between = between;
     const LikelihoodContext half = blunted(context, kHalfSharpFloor);
-    return fit_set(believed, blunt.fit, blunt.effects, blunt.released, {}, half, options);
+    return fit_set(believed, blunt.fit, blunt.effects, blunt.released, blunt.anonymous, half, options);
 }
 
 FittedSet sharpened(const BelievedCase& believed, const FittedSet& half_sharp, const LikelihoodContext& context, const std::function<void()>& between) {
     FitOptions options{.iterations = 20, .stages = {0.015, 0.006, 0.0025}, .stage_iterations = kStepsOfAStage};
     options.between = between;
     const Fit values{.trial = half_sharp.fit.trial, .unknowns = half_sharp.fit.unknowns, .values = half_sharp.fit.values};  // its derivatives are of short windows
-    return fit_set(believed, values, half_sharp.effects, half_sharp.released, {}, context, options);
+    return fit_set(believed, values, half_sharp.effects, half_sharp.released, half_sharp.anonymous, context, options);
 }
 
 }  // namespace railpem::diagnosis

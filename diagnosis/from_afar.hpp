@@ -20,6 +20,11 @@ std::vector<std::vector<Candidate>> variants_from_afar(const std::vector<Candida
 std::vector<FittedSet> blunt_from_afar(const BelievedCase& believed, const Fit& near, const std::vector<Candidate>& members, const std::vector<std::vector<Candidate>>& variants,
                                        const LikelihoodContext& context, const std::function<void(const Candidate&)>& between);
 
+/// Free corrections of the places where the blunt likelihood finds most, fitted with it near the believed numbers, and the best of them sharpened: where retuning leaves much, its numbers are so
+/// far off that no step from there leads to what a place would have to be (a linkage of the bogies explained everything from here, and left 24 thousand nats from there). `between` as above, with what
+/// is being done.
+std::vector<FittedSet> corrections_from_afar(const BelievedCase& believed, const LikelihoodContext& context, const std::function<void(const std::string&)>& between);
+
 /// The floor at which it shows whether a set that was fitted with the blunt likelihood is worth sharpening.
 constexpr double kHalfSharpFloor = 0.04;
 

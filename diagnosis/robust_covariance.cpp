@@ -26,14 +26,9 @@ std::vector<Eigen::VectorXd> third_octaves(const std::vector<GradientBlock>& blo
 
 /// Variance of an effect's parameter by what its law gets wrong.
 double law_variance(const Unknown& unknown, double coordinate) {
-    if (unknown.kind != UnknownKind::effect) return 0.0;
-    const Effect& effect = *find_effect(unknown.name.substr(0, unknown.name.find('.')));
-    for (const EffectParameter& parameter : effect.parameters) {
-        if (effect.id + "." + parameter.name != unknown.name || parameter.inexact == 0.0) continue;
-        const double step = to_coordinate(parameter, (1.0 + parameter.inexact) * from_coordinate(parameter, coordinate)) - coordinate;
-        return step * step;
-    }
-    return 0.0;
+    const EffectParameter* parameter = parameter_of(unknown);
+    const double deviation = parameter ? law_deviation(*parameter, coordinate) : 0.0;
+    return deviation * deviation;
 }
 
 /// Σ g_b g_bᵀ + D⁻².
@@ -46,6 +41,10 @@ Eigen::MatrixXd scatter_of(const Fit& fit, const LikelihoodContext& context) {
 }
 
 }  // namespace
+
+double law_deviation(const EffectParameter& parameter, double coordinate, double least) {
+    return std::abs(to_coordinate(parameter, (1.0 + std::max(least, parameter.inexact)) * from_coordinate(parameter, coordinate)) - coordinate);
+}
 
 Eigen::MatrixXd robust_covariance(const Fit& fit, const LikelihoodContext& context) {
     const Eigen::VectorXd variance = fit.covariance.diagonal();

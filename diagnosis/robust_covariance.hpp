@@ -15,4 +15,7 @@ namespace railpem::diagnosis {
 /// effect's parameter that is `inexact` has that relative deviation beside the rest.
 Eigen::MatrixXd robust_covariance(const Fit& fit, const LikelihoodContext& context);
 
+/// What an effect's law gets wrong of a parameter, as a deviation in its coordinate: EffectParameter::inexact, at least `least` of the value.
+double law_deviation(const EffectParameter& parameter, double coordinate, double least = 0.0);
+
 }  // namespace railpem::diagnosis

@@ -123,6 +123,15 @@ void add_as_it_is(const pem::WheelTransfers& transfers, const pem::DelayedSpectr
                 expected.values[(b * channels + j) * channels + i] += y[i * bins + b] * std::conj(y[j * bins + b]);
 }
 
+void add_wheels_own(const pem::CaseParameters& parameters, const pem::WheelTransfers& transfers, const pem::DelayedSpectrum& source, const std::vector<double>& wheels, double speed,
+                    double bin_hz, ExpectedSpectra& expected) {
+    for (std::size_t wheel = 0; wheel < 4; ++wheel) {
+        pem::DelayedSpectrum own{.name = "wheels_own", .psd_m2_per_hz = [&](double f) { return parameters.wheels_own.at(f) * source.psd_m2_per_hz(f); }, .share = {}};
+        own.share[wheel] = 1.0;
+        add_as_it_is(transfers, own, wheels, speed, bin_hz, expected);
+    }
+}
+
 pem::WheelTransfers with_what_comes_back(const pem::WheelTransfers& transfers, const pem::FeltOrder& own) {
     pem::WheelTransfers result = transfers;
     const std::size_t channels = transfers.responses.size();

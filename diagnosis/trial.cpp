@@ -288,6 +288,14 @@ std::vector<Unknown> effect_unknowns(const EffectInstance& instance, std::size_t
     return unknowns;
 }
 
+const EffectParameter* parameter_of(const Unknown& unknown) {
+    if (unknown.kind != UnknownKind::effect) return nullptr;
+    const std::size_t point = unknown.name.find('.');
+    const Effect& effect = *find_effect(unknown.name.substr(0, point));
+    const auto own = std::find_if(effect.parameters.begin(), effect.parameters.end(), [&](const EffectParameter& one) { return one.name == unknown.name.substr(point + 1); });
+    return own == effect.parameters.end() ? nullptr : &*own;
+}
+
 void set_values(Trial& trial, const std::vector<Unknown>& unknowns, const std::vector<double>& values) {
     for (std::size_t i = 0; i < unknowns.size(); ++i) unknowns[i].set(trial, values[i]);
 }

@@ -68,6 +68,9 @@ std::vector<Unknown> nuisance_unknowns(const BelievedCase& believed, const std::
 /// Unknowns of the instance `effect_index` of a trial's effects: its continuous parameters.
 std::vector<Unknown> effect_unknowns(const EffectInstance& instance, std::size_t effect_index);
 
+/// The parameter of an effect that an unknown is; null for every other unknown.
+const EffectParameter* parameter_of(const Unknown& unknown);
+
 /// Applies values to a trial.
 void set_values(Trial& trial, const std::vector<Unknown>& unknowns, const std::vector<double>& values);
 

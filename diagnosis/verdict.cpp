@@ -47,18 +47,11 @@ bool unseen_disagrees(const FittedSet& smaller, const FittedSet& larger, double 
 
 constexpr double kLeaning = 2.0;  ///< nats that a set may gain beyond the range of its physics by chance: two deviations
 
-/// An approximation may be driven beyond the range by what it leaves: fasteners that carry nothing at all lie on the end of theirs.
-bool leans(const FittedSet& set, double nothing) { return nats_beyond_range(set) > (is_approximate(set) ? nats_left(set, nothing, kLeaning) : kLeaning); }
-
 /// A member is smaller than anybody would speak of: it makes up for what a law beside it is off by.
 bool is_trifling(const FittedSet& set) {
-    for (std::size_t u = 0; u < set.fit.unknowns.size(); ++u) {
-        if (set.fit.unknowns[u].kind != UnknownKind::effect) continue;
-        const std::string& name = set.fit.unknowns[u].name;
-        const Effect* effect = find_effect(name.substr(0, name.find('.')));
-        for (const EffectParameter& parameter : effect->parameters)
-            if (name == effect->id + "." + parameter.name && std::abs(from_coordinate(parameter, set.fit.values[u]) - parameter.nothing) < parameter.least) return true;
-    }
+    for (std::size_t u = 0; u < set.fit.unknowns.size(); ++u)
+        if (const EffectParameter* parameter = parameter_of(set.fit.unknowns[u]))
+            if (std::abs(from_coordinate(*parameter, set.fit.values[u]) - parameter->nothing) < parameter->least) return true;
     return false;
 }
 
@@ -85,6 +78,9 @@ bool only_sensors(const FittedSet& set) {
 }
 
 }  // namespace
+
+// An approximation may be driven beyond the range by what it leaves: fasteners that carry nothing at all lie on the end of theirs.
+bool leans(const FittedSet& set, double nothing) { return nats_beyond_range(set) > (is_approximate(set) ? nats_left(set, nothing, kLeaning) : kLeaning); }
 
 std::vector<std::string> labels_of(const FittedSet& set) {
     std::vector<std::string> labels;
@@ -116,6 +112,12 @@ bool drop_superfluous(NamingResult& naming, const VerdictThresholds& thresholds)
     return first;
 }
 
+double inconstancy(const PlaceStudy& study) {
+    double most = 0.0;
+    for (const ParameterByRecording& own : study.by_recording) most = std::max(most, own.nats);
+    return most;
+}
+
 Decision decide(const NamingResult& naming, const PlaceStudy& places, const VerdictThresholds& thresholds) {
     Decision decision;
     for (const FittedSet& set : places.anonymous) decision.unknown_score = std::max(decision.unknown_score, set.score());
@@ -132,7 +134,7 @@ Decision decide(const NamingResult& naming, const PlaceStudy& places, const Verd
     const double residual_retuned = places.at_retuned.empty() ? 0.0 : places.at_retuned.front().nats;
     if (gains && decision.unknown_score < best->score() + thresholds.anonymous &&
         residual_named < nats_left(*best, nothing, thresholds.residual) && !leans(*best, nothing) &&
-        places.by_named <= misfit_left(*best, nothing, thresholds.residual))
+        places.by_named <= misfit_left(*best, nothing, thresholds.residual) && inconstancy(places) < thresholds.residual)
         decision.verdict = decision.credible.size() > 1 ? Verdict::ambiguous : only_sensors(*best) ? Verdict::recording_fault : Verdict::explained;
     else if (gains)
         decision.verdict = Verdict::unexplained;
@@ -228,8 +230,10 @@ std::string named_in_words(const Diagnosis& diagnosis) {
 std::string place_in_words(const Diagnosis& diagnosis) {
     if (diagnosis.places.empty()) return "no place stands out";
     const PlaceEvidence& place = diagnosis.places.front();
-    return fmt::format("the place where a free correction helps most is the {} ({:.0f} nats{})", element_name(place.element), place.nats,
-                       place.forces ? ", by forces of its own, as of a stop, a play or a stick, rather than by another stiffness or damping" : "");
+    const char* forces = !place.forces                    ? ""
+                         : place.element == Element::pad ? ", by what each wheel meets by itself, as of seats that are not alike, a play or ground that changes along the line"
+                                                         : ", by forces of its own, as of a stop, a play or a stick, rather than by another stiffness or damping";
+    return fmt::format("the place where a free correction helps most is the {} ({:.0f} nats{})", element_name(place.element), place.nats, forces);
 }
 
 }  // namespace

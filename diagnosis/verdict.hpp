@@ -1,6 +1,7 @@
 #pragma once
 // From fitted sets to a verdict with probabilities and words.
 
+#include "diagnosis/constancy.hpp"
 #include "diagnosis/diagnose.hpp"
 #include "diagnosis/model_error.hpp"
 
@@ -12,6 +13,7 @@ struct PlaceStudy {
     std::vector<PlaceEvidence> at_named;    ///< the same beside the named set: what is still missing
     std::vector<FittedSet> anonymous;       ///< fully fitted free corrections of the best places
     bool named_stands = true;               ///< where the unknown outdoes the best set: whether that explains something beside it
+    std::vector<ParameterByRecording> by_recording;  ///< of the best set
     double by_retuned = 0.0;                ///< nats that the retuned case misses: missed_by()
     double by_named = 0.0;                  ///< and the best set
 };
@@ -27,6 +29,12 @@ struct Decision {
 /// Takes out the sets that the unseen part speaks against, and those that say no more than a smaller one that was fitted too: each further member has to bring `least_gain`, and what no
 /// fit has seen has to agree. Probabilities and rivals are then those of the sets that are left. True when the best one was taken out.
 bool drop_superfluous(NamingResult& naming, const VerdictThresholds& thresholds);
+
+/// A set needs a parameter beyond the range of its physics, by more than chance and than what its own law may leave; `nothing`: score of nothing added.
+bool leans(const FittedSet& set, double nothing);
+
+/// Most nats that speak against one value in all recordings for a parameter of the best set.
+double inconstancy(const PlaceStudy& study);
 
 Decision decide(const NamingResult& naming, const PlaceStudy& places, const VerdictThresholds& thresholds);
 

@@ -142,17 +142,25 @@ class WritingUp {
             for (std::size_t u = 0; u < named_.fit.unknowns.size(); ++u) {
                 const Unknown& unknown = named_.fit.unknowns[u];
                 if (unknown.kind != UnknownKind::effect || unknown.index != static_cast<int>(own + i)) continue;
-                for (const EffectParameter& parameter : effect.parameters) {
-                    if (effect.id + "." + parameter.name != unknown.name) continue;
-                    const double reach = kNinety * named_.fit.deviation(u), x = named_.fit.values[u];
-                    const double low = from_coordinate(parameter, std::max(unknown.low, x - reach)), high = from_coordinate(parameter, std::min(unknown.high, x + reach));
-                    named.parameters.push_back({parameter.name, from_coordinate(parameter, x), low, high, parameter.unit});
-                }
+                const EffectParameter& parameter = *parameter_of(unknown);
+                const double reach = kNinety * named_.fit.deviation(u), x = named_.fit.values[u];
+                const double low = from_coordinate(parameter, std::max(unknown.low, x - reach)), high = from_coordinate(parameter, std::min(unknown.high, x + reach));
+                named.parameters.push_back({parameter.name, from_coordinate(parameter, x), low, high, parameter.unit});
+                report_by_recording(u, named.parameters.back());
             }
             share_of(named, i, decision);
             result_.omitted.push_back(std::move(named));
         }
         for (const std::string& key : named_.released) report_released(key, decision);
+    }
+
+    /// The named fit has the unknowns of the best set in the same order.
+    void report_by_recording(std::size_t unknown, FittedParameter& parameter) const {
+        for (const ParameterByRecording& own : study_.by_recording) {
+            if (own.unknown != unknown) continue;
+            parameter.nats_against_one_value = own.nats;
+            for (std::size_t i = 0; i < own.value.size(); ++i) parameter.by_recording.push_back({observations_[own.observation[i]].name, own.value[i]});
+        }
     }
 
     void report_released(const std::string& key, const Decision& decision) {
@@ -235,12 +243,24 @@ class WritingUp {
     void report_curve() {
         for (const FittedSet& set : study_.anonymous) {
             const Element element = set.anonymous.front().element;
-            if (element == Element::irregularity || element == Element::sensor) continue;
+            if (element == Element::irregularity || element == Element::sensor || set.beyond) continue;
             InferredCurve curve = inferred_curve(set.fit, set.anonymous.front(), believed_, observations_);
             curve.retuned = law_of(retuned_.fit, curve, believed_, observations_);
             curve.diagnosed = law_of(named_.fit, curve, believed_, observations_);
             result_.curves.push_back(std::move(curve));
         }
+    }
+
+    /// What the best unknown is like, where it is an effect beyond the range of its physics.
+    void report_beyond_range() {
+        const auto lower = [](const FittedSet& a, const FittedSet& b) { return a.score() < b.score(); };
+        const auto best = std::max_element(study_.anonymous.begin(), study_.anonymous.end(), lower);
+        if (best == study_.anonymous.end() || !best->beyond || decision_.verdict != Verdict::unexplained) return;
+        const EffectInstance& instance = best->fit.trial.effects.back();
+        std::string values;
+        for (const EffectParameter& parameter : find_effect(instance.effect)->parameters)
+            values += fmt::format("{}{} {:.3g}", values.empty() ? "" : ", ", parameter.name, instance.values.at(parameter.name));
+        result_.remains.push_back(fmt::format("something at the {} acts like {} with {}, which that physics cannot have", element_name(best->anonymous.front().element), instance.effect, values));
     }
 
     void report_recordings() {
@@ -279,6 +299,12 @@ class WritingUp {
             result_.remains.push_back(fmt::format("the unseen part repeats {:.0f} nats of what the fit misses, more than chance: something of the recordings has no name here", missed));
         if (decision_.named && !study_.at_named.empty() && study_.at_named.front().nats > thresholds_.residual)
             result_.remains.push_back(fmt::format("a free correction of the {} would still bring {:.0f} nats", element_name(study_.at_named.front().element), std::trunc(study_.at_named.front().nats)));
+        report_beyond_range();
+        for (const NamedEffect& effect : result_.omitted)
+            for (const FittedParameter& parameter : effect.parameters)
+                if (parameter.nats_against_one_value > thresholds_.residual)
+                    result_.remains.push_back(fmt::format("{} of {} would have to be another in each recording ({:.0f} nats): another physics imitates it, or something of it has no name here", parameter.name,
+                                                          effect.instance.effect, parameter.nats_against_one_value));
         for (const std::string& said : wheel_unloading(named_.fit.trial, believed_, observations_)) result_.remains.push_back(said);
     }
 

@@ -87,6 +87,12 @@ Fields<SensorParameters> sensor_fields() {
     };
 }
 
+double WheelsOwn::at(double frequency) const {
+    double own = 0.0;
+    for (std::size_t node = 0; node < frequency_hz.size(); ++node) own += vehicle::ForceSpectrum::weight(frequency_hz, node, frequency) * share[node];
+    return own;
+}
+
 double wheel_load_n(const CaseParameters& parameters) {
     const track::StaticParameters& statics = parameters.track.statics;
     const vehicle::VehicleParameters& car = parameters.vehicle;

@@ -13,13 +13,23 @@ namespace {
 using diagnosis::Diagnosis;
 using recordings::escaped;
 
+/// What each recording alone would have the parameter be.
+std::string by_recording_row(const diagnosis::FittedParameter& p) {
+    if (p.by_recording.empty()) return "";
+    std::string values;
+    for (const diagnosis::RecordedValue& own : p.by_recording)
+        values += (values.empty() ? "" : ", ") + escaped(own.recording) + " " + figure(own.value, 4);
+    return fmt::format("<tr class=\"soft\"><td></td><td colspan=\"3\">by recording: {}</td></tr>\n", values);
+}
+
 std::string parameter_rows(const diagnosis::NamedEffect& effect) {
     std::string out;
     for (const diagnosis::FittedParameter& p : effect.parameters)
         out += fmt::format(
-            "<tr><td>{}</td><td class=\"number\">{}</td><td class=\"number\">{} to {}</td><td>{}</td></tr>\n",
-            escaped(p.name), figure(p.value, 4), figure(p.low, 4), figure(p.high, 4),
-            p.unit == "1" ? "–" : escaped(p.unit));
+                   "<tr><td>{}</td><td class=\"number\">{}</td><td class=\"number\">{} to {}</td><td>{}</td></tr>\n",
+                   escaped(p.name), figure(p.value, 4), figure(p.low, 4), figure(p.high, 4),
+                   p.unit == "1" ? "–" : escaped(p.unit)) +
+               by_recording_row(p);
     return out;
 }
 

@@ -32,6 +32,7 @@ Effect bogie_mounted_mass() {
                         .high = 0.5,
                         .typical = 0.1,
                         .spread = Spread::logarithmic,
+                        .inexact = 0.003,  // scripts/interval_misses.py
                         .says = "damping ratio of the mounting"}},
         .elements = {Element::bogie},
         .bands = {{4.0, 100.0}},

@@ -17,6 +17,7 @@ Effect rail_damper() {
                         .spread = Spread::logarithmic,
                         .strength = true,
                         .nothing = 0.0,
+                        .inexact = 0.03,  // scripts/interval_misses.py
                         .says = "damper mass per metre of rail"},
                        {.name = "frequency_hz",
                         .unit = "Hz",
@@ -24,6 +25,7 @@ Effect rail_damper() {
                         .high = 6000.0,
                         .typical = 500.0,
                         .spread = Spread::logarithmic,
+                        .inexact = 0.014,  // scripts/interval_misses.py
                         .says = "frequency of the mass on a fixed rail"},
                        {.name = "loss_factor",
                         .unit = "1",
@@ -31,6 +33,7 @@ Effect rail_damper() {
                         .high = 1.0,
                         .typical = 0.35,
                         .spread = Spread::logarithmic,
+                        .inexact = 0.085,  // scripts/interval_misses.py
                         .says = "loss factor of the elastomer"}},
         .elements = {Element::rail},
         .bands = {{40.0, 6000.0}},

@@ -27,6 +27,7 @@ Effect sensor_noise() {
                         .low = -12.0,
                         .high = 6.0,
                         .typical = -3.0,
+                        .inexact = 0.03,  // scripts/interval_misses.py
                         .says = "slope of its spectrum; −3: 1/f, −6: drift like a random walk"}},
         .choices = {{.name = "channel", .options = channel_names(), .says = "the channel"}},
         .elements = {Element::sensor},

@@ -19,6 +19,7 @@ Effect wheelset_bending() {
                         .low = 50.0,
                         .high = 110.0,
                         .typical = 80.0,
+                        .inexact = 0.001,  // scripts/interval_misses.py
                         .says = "first bending frequency of the free wheelset"},
                        {.name = "damping_ratio",
                         .unit = "1",
@@ -26,6 +27,7 @@ Effect wheelset_bending() {
                         .high = 0.1,
                         .typical = 0.01,
                         .spread = Spread::logarithmic,
+                        .inexact = 0.04,  // scripts/interval_misses.py
                         .says = "damping ratio of the mode"},
                        {.name = "modal_mass_kg",
                         .unit = "kg",
@@ -35,6 +37,7 @@ Effect wheelset_bending() {
                         .spread = Spread::logarithmic,
                         .strength = true,
                         .nothing = std::numeric_limits<double>::infinity(),
+                        .inexact = 0.02,  // scripts/interval_misses.py
                         .says = "modal mass of the whole wheelset for unit displacement at the wheels: several times "
                                 "the wheelset's own, because its nodes lie near the wheels"}},
         .elements = {Element::wheel},

@@ -44,7 +44,7 @@ std::pair<double, double> reused(const Synthesised& made, const Predictions& kno
     return {difference(with, without), difference(without, known[0])};
 }
 
-std::string node_in_the_middle(const Synthesised& made) { return " at " + fmt::format("{:.3g}", correction_nodes(made.observations)[3]) + " Hz"; }
+std::string node_in_the_middle(const Synthesised& made) { return " at " + fmt::format("{:.3g}", correction_nodes({.element = Element::pad}, made.observations)[3]) + " Hz"; }
 
 std::vector<Unknown> all_unknowns(const Synthesised& made) {
     std::vector<Unknown> unknowns = nuisance_unknowns(made.believed, made.observations);

@@ -1,0 +1,72 @@
+// What an effect would have to be like beyond the range of its physics, and free corrections fitted from afar, on recordings drawn with something that has no name.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+#include "diagnosis/fitted_set.hpp"
+#include "diagnosis/from_afar.hpp"
+#include "diagnosis/locate.hpp"
+#include "tests/unit/diagnosis/synthesised_fixture.hpp"
+
+namespace railpem::diagnosis {
+namespace {
+
+Synthesised two_speeds(double high_hz) {
+    return synthesised(paper_believed({"vehicle.bogie_mass_kg", "vehicle.wheelset_mass_kg", "vehicle.primary.stiffness_n_per_m", "vehicle.primary.damping_n_s_per_m"}), {15.0, 80.0 / 3.6}, 60.0,
+                       nine_channels(), {.window_s = 2.0, .low_hz = 2.0, .high_hz = high_hz});
+}
+
+// An absorber of 80 kg at 45 Hz on an axle of 1350 kg is to everything else a mode at 45·√(1 + 80/1350) = 46.3 Hz of modal mass 1350·1430/80 = 24 t of a wheelset of 1430 kg: below the frequencies
+// and above the masses of axles that bend.
+TEST(BeyondRange, AnAbsorberOnTheAxlesActsLikeAnAxleThatBendsTooLow) {
+    Synthesised made = two_speeds(80.0);
+    const EffectInstance mode{.effect = "wheelset-bending", .values = {{"frequency_hz", 46.3}, {"damping_ratio", 0.08}, {"modal_mass_kg", 24e3}}, .choices = {}};
+    made.truth.effects = {mode};
+    made.draw(6);
+    const LikelihoodContext context = made.context(Part::fitted, 2);
+    const FittedSet retuned = fit_set(made.believed, Fit{}, {}, {}, {}, context, {});
+    Candidate bending{.instance = {.effect = "wheelset-bending", .values = {{"frequency_hz", 55.0}, {"damping_ratio", 0.05}, {"modal_mass_kg", 15e3}}, .choices = {}}};
+    const FittedSet within = fit_set(made.believed, retuned.fit, {bending}, {}, {}, context, {.from_far = false});
+    ASSERT_GT(nats_beyond_range(within), 2.0);
+    const FittedSet beyond = fit_beyond_range(made.believed, within, context, {});
+    const EffectInstance& found = beyond.fit.trial.effects.back();
+    std::printf("within %.0f, beyond %.0f: %.2f Hz, %.3f, %.0f kg\n", within.score(), beyond.score(), found.values.at("frequency_hz"), found.values.at("damping_ratio"), found.values.at("modal_mass_kg"));
+    EXPECT_GT(beyond.score(), within.score() + 12.0);
+    EXPECT_EQ(beyond.anonymous.front().element, Element::wheel);
+    for (std::size_t u = 0; u < beyond.fit.unknowns.size(); ++u)
+        if (const EffectParameter* parameter = parameter_of(beyond.fit.unknowns[u])) {
+            EXPECT_NEAR(beyond.fit.values[u], to_coordinate(*parameter, mode.values.at(parameter->name)), 4.0 * beyond.fit.deviation(u)) << parameter->name;  // one in 16 000 by chance
+        }
+}
+
+// A linkage that ties the bogies to each other. Four numbers are retuned: few enough for a free correction fitted from there to arrive, and the one from afar has to come as near.
+TEST(CorrectionsFromAfar, FindALinkageOfTheBogies) {
+    Synthesised made = two_speeds(60.0);
+    lanes::FactorCurve spring;
+    const double stiffness = 2e6, mass = made.believed.numbers.vehicle.bogie_mass_kg / 2.0;
+    for (double f = 2.0; f < 100.0; f *= 1.2) {
+        spring.frequency_hz.push_back(f);
+        spring.value.push_back(-stiffness / (mass * std::pow(2.0 * std::numbers::pi * f, 2)));
+    }
+    made.truth.numbers.vehicle.between_bogies.rear = spring;
+    made.draw(8);
+    const LikelihoodContext context = made.context(Part::fitted, 2);
+    const FittedSet retuned = fit_set(made.believed, Fit{}, {}, {}, {}, context, {});
+    const LocatedEvidence first = locate(retuned.fit, context).front();
+    const FittedSet near = fit_correction(made.believed, retuned, first, context, {.iterations = 12, .from_far = false});
+    const std::vector<FittedSet> sets = corrections_from_afar(made.believed, context, [](const std::string&) {});
+    ASSERT_FALSE(sets.empty());
+    const FittedSet& best = *std::max_element(sets.begin(), sets.end(), [](const FittedSet& a, const FittedSet& b) { return a.score() < b.score(); });
+    std::printf("retuned %.0f; from there, %s: %.0f; from afar, %s: %.0f\n", retuned.score(), element_name(first.place.element).c_str(), near.score(),
+                element_name(best.anonymous.front().element).c_str(), best.score());
+    EXPECT_EQ(best.anonymous.front().element, Element::bogie);
+    EXPECT_TRUE(best.anonymous.front().attached);
+    EXPECT_GT(best.score(), near.score() - 5.0);  // nats: what decides between sets
+}
+
+}  // namespace
+}  // namespace railpem::diagnosis
