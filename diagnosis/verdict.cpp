@@ -134,7 +134,7 @@ Decision decide(const NamingResult& naming, const PlaceStudy& places, const Verd
     const double residual_retuned = places.at_retuned.empty() ? 0.0 : places.at_retuned.front().nats;
     if (gains && decision.unknown_score < best->score() + thresholds.anonymous &&
         residual_named < nats_left(*best, nothing, thresholds.residual) && !leans(*best, nothing) &&
-        places.by_named <= misfit_left(*best, nothing, thresholds.residual) && inconstancy(places) < thresholds.residual)
+        places.by_named <= misfit_left(*best, nothing, thresholds.residual) && inconstancy(places) < nats_left(*best, nothing, thresholds.residual))
         decision.verdict = decision.credible.size() > 1 ? Verdict::ambiguous : only_sensors(*best) ? Verdict::recording_fault : Verdict::explained;
     else if (gains)
         decision.verdict = Verdict::unexplained;

@@ -300,9 +300,10 @@ class WritingUp {
         if (decision_.named && !study_.at_named.empty() && study_.at_named.front().nats > thresholds_.residual)
             result_.remains.push_back(fmt::format("a free correction of the {} would still bring {:.0f} nats", element_name(study_.at_named.front().element), std::trunc(study_.at_named.front().nats)));
         report_beyond_range();
+        const double bearable = decision_.named ? nats_left(*decision_.named, naming_.retuned.score(), thresholds_.residual) : 0.0;
         for (const NamedEffect& effect : result_.omitted)
             for (const FittedParameter& parameter : effect.parameters)
-                if (parameter.nats_against_one_value > thresholds_.residual)
+                if (parameter.nats_against_one_value > bearable)
                     result_.remains.push_back(fmt::format("{} of {} would have to be another in each recording ({:.0f} nats): another physics imitates it, or something of it has no name here", parameter.name,
                                                           effect.instance.effect, parameter.nats_against_one_value));
         for (const std::string& said : wheel_unloading(named_.fit.trial, believed_, observations_)) result_.remains.push_back(said);
