@@ -5,7 +5,7 @@
 
 #include "diagnosis/from_afar.hpp"
 #include "diagnosis/locate.hpp"
-#include "diagnosis/repeated_misfit.hpp"
+#include "diagnosis/model_error.hpp"
 #include "diagnosis/robust_covariance.hpp"
 #include "diagnosis/verdict.hpp"
 #include "diagnosis/write_up.hpp"
@@ -17,7 +17,6 @@ namespace {
 constexpr int kAnonymousFits = 2;       ///< places whose free correction is fitted in full
 constexpr int kAnonymousIterations = 12;
 constexpr double kAnonymousGain = 1.0;  ///< nats: a score that decides between names within 3 needs no more
-constexpr double kMuchMisfit_per_s = 100.0;  ///< nats, as the search has it
 constexpr double kRoomForCurve = 300.0; ///< nats that a correction may stay behind the named set and still draw its curve
 
 class Diagnosing {
@@ -88,7 +87,7 @@ class Diagnosing {
 
     /// Retuning leaves so much that no promise at its end says where to, and what was named does not stand.
     bool leaves_much() const {
-        if (study_.by_retuned < kMuchMisfit_per_s * repeated_misfit(naming_.retuned.fit.trial, naming_.retuned.fit.predictions, context_).seconds) return false;
+        if (!misses_much(naming_.retuned.fit, context_)) return false;
         if (naming_.sets.empty()) return true;
         const FittedSet& best = naming_.sets.front();
         const double nothing = naming_.retuned.score(), residual = options_.thresholds.residual;

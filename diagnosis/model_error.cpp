@@ -25,4 +25,10 @@ double missed_by(const Fit& fit, const LikelihoodContext& context) {
     return std::max(0.0, misfit.nats - kDeviations * misfit.deviation - kOwnPerSecond * misfit.seconds);
 }
 
+bool misses_much(const Fit& fit, const LikelihoodContext& context) {
+    constexpr double kMuch_per_s = 100.0;
+    const RepeatedMisfit misfit = repeated_misfit(fit.trial, fit.predictions, context);
+    return misfit.nats >= kMuch_per_s * misfit.seconds;
+}
+
 }  // namespace railpem::diagnosis

@@ -25,4 +25,7 @@ double misfit_left(const FittedSet& set, double retuned_score, double least);
 /// channels, by judgement on six trials of three such records each.
 double missed_by(const Fit& fit, const LikelihoodContext& context);
 
+/// Whether a fit misses so much, 100 nats a second that the unseen part repeats, that its derivatives say nothing of the believed case: its numbers are bent to little avail.
+bool misses_much(const Fit& fit, const LikelihoodContext& context);
+
 }  // namespace railpem::diagnosis

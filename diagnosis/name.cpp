@@ -12,7 +12,6 @@
 #include "diagnosis/comb_distances.hpp"
 #include "diagnosis/from_afar.hpp"
 #include "diagnosis/model_error.hpp"
-#include "diagnosis/repeated_misfit.hpp"
 #include "diagnosis/scalar_likelihood.hpp"
 #include "diagnosis/set_trials.hpp"
 #include "diagnosis/worth_refitting.hpp"
@@ -23,7 +22,6 @@ namespace {
 
 constexpr double kLeastRelease = 3.0;  ///< nats to first order; what a wrong belief distorts is seen too small from there
 
-constexpr double kMuchMisfit_per_s = 100.0;  ///< nats that retuning may leave for its derivatives to be trusted
 constexpr double kBluntSearch = 0.1;   ///< relative floor
 constexpr double kHalfSharpMiss = 0.05; ///< of what retuning misses, a single that is there may leave when half sharp: axles that bend left nothing, failed fasteners in the place of two other effects 11 %
 constexpr double kMinor = 0.05;        ///< share of what a set explains: for what is left of that order no other set is sought in its place
@@ -60,7 +58,7 @@ class Search {
         result_.not_tested = list.not_tested;
         for (const std::string& effect : options_.without) result_.not_tested.push_back({effect, "it was to be left out of the catalogue"});
         result_.candidates = std::move(list.candidates);
-        if (is_distorted(result_.retuned.fit)) {
+        if (misses_much(result_.retuned.fit, context_)) {
             blunt_search();
             if (trials_.names() && leaves_little()) return;
         }
@@ -84,12 +82,6 @@ class Search {
         for (int members = from; members <= options_.most_effects; ++members)
             if (!further_round(members)) break;
         if (const std::size_t left = trials_.prune(); left > 0) further_rounds(static_cast<int>(left) + 1);
-    }
-
-    /// Retuning has bent the believed numbers to so little avail that a derivative at the retuned case says nothing of the believed one.
-    bool is_distorted(const Fit& retuned) const {
-        const RepeatedMisfit left = repeated_misfit(retuned.trial, retuned.predictions, context_);
-        return left.nats >= kMuchMisfit_per_s * left.seconds;
     }
 
     /// The search for one or two effects with a blunt likelihood, in which the retuned case stays near what was believed. The best single is sharpened first: where it leaves little,
