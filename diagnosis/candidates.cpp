@@ -43,6 +43,16 @@ std::vector<double> grid(const EffectParameter& parameter, double low, double hi
     return values;
 }
 
+/// One of several strengths that may go either way: each may be there without the others.
+bool is_one_of_several(const Effect& effect, const EffectParameter& parameter) {
+    const auto goes_either_way = [](const EffectParameter& own) { return own.strength && own.nothing > own.low && own.nothing < own.high; };
+    return goes_either_way(parameter) && std::count_if(effect.parameters.begin(), effect.parameters.end(), goes_either_way) > 1;
+}
+
+bool is_at_nothing(const EffectParameter& parameter, const EffectInstance& instance) {
+    return parameter.strength && instance.values.count(parameter.name) && instance.values.at(parameter.name) == parameter.nothing;
+}
+
 /// Values of a parameter from which to look.
 std::vector<double> looking_points(const Effect& effect, const EffectParameter& parameter, const std::vector<Observation>& observations) {
     if (parameter.name == "gain") return {kMildGain, -1.0};
@@ -71,6 +81,7 @@ std::vector<double> looking_points(const Effect& effect, const EffectParameter& 
         if (effect.id == "support-compliance") return grid(parameter, parameter.low, parameter.high, kOtherPoints);
         return {parameter.typical};
     }
+    if (is_one_of_several(effect, parameter)) return {parameter.nothing, parameter.nothing + kMildShare * (parameter.high - parameter.nothing)};
     if (!std::isfinite(parameter.nothing) || parameter.nothing >= parameter.high)  // weak at the upper end
         return {parameter.spread == Spread::logarithmic ? parameter.high * std::pow(parameter.low / parameter.high, kMildShare)
                                                         : parameter.high + kMildShare * (parameter.low - parameter.high)};
@@ -152,6 +163,14 @@ void add_values(const Effect& effect, std::size_t index, const EffectInstance& s
     }
 }
 
+/// Several strengths, and none of them there.
+bool is_nothing_at_all(const Effect& effect, const EffectInstance& instance) {
+    int there = 0, nothing = 0;
+    for (const EffectParameter& parameter : effect.parameters)
+        if (parameter.strength) ++(is_at_nothing(parameter, instance) ? nothing : there);
+    return nothing > 0 && there == 0;
+}
+
 constexpr double kProbe = 1e-6;  ///< of the range: second order stays below the noise
 
 /// A strength on the other side of zero (an inverted channel): no derivative leads there.
@@ -177,7 +196,7 @@ double near_nothing(const EffectParameter& parameter, double steps) {
 EffectInstance probe_of(const Effect& effect, EffectInstance instance) {
     if (is_probed_at_strength(effect, instance)) return instance;
     for (const EffectParameter& parameter : effect.parameters)
-        if (parameter.strength && instance.values.count(parameter.name)) instance.values[parameter.name] = near_nothing(parameter, 1.0);
+        if (parameter.strength && instance.values.count(parameter.name) && !is_at_nothing(parameter, instance)) instance.values[parameter.name] = near_nothing(parameter, 1.0);
     return instance;
 }
 
@@ -213,6 +232,7 @@ CandidateList candidates(const BelievedCase& believed, const Trial& trial, const
         std::vector<EffectInstance> chosen, variants;
         add_choices(effect, 0, {.effect = effect.id}, trial, observations, chosen);
         for (const EffectInstance& instance : chosen) add_values(effect, 0, instance, observations, variants);
+        std::erase_if(variants, [&](const EffectInstance& instance) { return is_nothing_at_all(effect, instance); });
         if (variants.empty()) list.not_tested.push_back({effect.id, "it would show in no band or channel of the recordings"});
         std::set<std::map<std::string, std::string>> places;
         for (const EffectInstance& instance : variants) places.insert(instance.choices);
@@ -231,7 +251,7 @@ Candidate started_at(const Candidate& candidate, double strength) {
     const Effect& effect = *find_effect(candidate.instance.effect);
     const bool at_strength = candidate.whole || is_probed_at_strength(effect, candidate.instance);
     for (const EffectParameter& parameter : effect.parameters) {
-        if (!parameter.strength || !candidate.instance.values.count(parameter.name)) continue;
+        if (!parameter.strength || !candidate.instance.values.count(parameter.name) || is_at_nothing(parameter, candidate.instance)) continue;
         double& value = started.instance.values[parameter.name];
         if (at_strength && parameter.amplitude && strength > 0.0) value = std::clamp(parameter.nothing + (value - parameter.nothing) * std::sqrt(strength), parameter.low, parameter.high);
         if (!at_strength && std::abs(strength) > 1.0) value = std::clamp(near_nothing(parameter, strength), parameter.low, parameter.high);

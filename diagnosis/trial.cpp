@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kNodesPerOctave = 2.0;         ///< of the irregularity's nuisance: wavelengths that a structure cannot imitate
 constexpr double kIrregularityDeviation = 0.35;  ///< of a node, in log power: 1.5 dB, the scatter between sections of a line
-constexpr double kLevelDeviation = 0.35;        ///< of all nodes together
+constexpr double kLevelDeviation = 0.23;        ///< of all wavelengths together: 1 dB. At 1.5 dB a track 8 dB smoother than believed was consistent
 constexpr double kMeasuredLevelDeviation = 1e-3; ///< where the nodes are measured they carry the level
 constexpr double kFluctuationDeviation = 1.5;  ///< of its logarithm: nobody states how steady a speed was
 constexpr double kLeastFluctuation = 1e-5, kMostFluctuation = 0.05;  ///< what a case may state

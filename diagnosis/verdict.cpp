@@ -38,11 +38,14 @@ constexpr double kRepeatDeviations = 1.5;  ///< of chance: a gain of n nats has 
 
 /// The unseen part speaks against what `larger` adds, or does not repeat its share of it.
 bool unseen_disagrees(const FittedSet& smaller, const FittedSet& larger, double unseen_share) {
-    const bool only_released = larger.effects.size() == smaller.effects.size();
+    const auto new_to_retuning = [](const FittedSet& set) {
+        return std::count_if(set.effects.begin(), set.effects.end(), [](const Candidate& member) { return !find_effect(member.instance.effect)->retuned; });
+    };
+    const bool only_given_up = new_to_retuning(larger) == new_to_retuning(smaller);
     const double repeated = larger.held_out - smaller.held_out;
     const double expected = unseen_share * std::max(0.0, larger.fit.log_likelihood - smaller.fit.log_likelihood);
     const double least = std::max(0.0, std::min(kRepeated * expected, expected - kRepeatDeviations * std::sqrt(2.0 * expected)));
-    return repeated < least - (only_released ? kHeldOutChance : 0.0);
+    return repeated < least - (only_given_up ? kHeldOutChance : 0.0);
 }
 
 constexpr double kLeaning = 2.0;  ///< nats that a set may gain beyond the range of its physics by chance: two deviations

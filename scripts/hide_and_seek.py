@@ -35,7 +35,7 @@ HIDDEN = {
     "pad-frequency-stiffening": ["pad-frequency-stiffening:exponent=0.15"], "pad-preload-stiffening": ["pad-preload-stiffening"],
     "pad-hysteresis": ["pad-hysteresis"], "rail-shear": ["rail-shear"], "support-compliance": ["support-compliance"],
     "rail-damper": ["rail-damper:mass_kg_per_m=15,frequency_hz=120"], "failed-fasteners": ["failed-fasteners:every=8"],
-    "sleeper-passing": ["sleeper-passing:amplitude_factor=4"], "wheel-out-of-roundness": ["wheel-out-of-roundness:wheel=2,order=3,amplitude_m=5e-5"],
+    "sleeper-passing": ["sleeper-passing:amplitude_factor=6"], "wheel-out-of-roundness": ["wheel-out-of-roundness:wheel=2,order=3,amplitude_m=5e-5"],
     "rail-corrugation": ["rail-corrugation"], "rail-joints": ["rail-joints:spacing_m=12"], "irregularity-spectrum": ["irregularity-spectrum:level_db=-8"],
     "body-bending": ["body-bending:frequency_hz=9"], "wheelset-bending": ["wheelset-bending"], "bogie-mounted-mass": ["bogie-mounted-mass"],
     "primary-damper-series-stiffness": ["primary-damper-series-stiffness"], "secondary-damper-series-stiffness": ["secondary-damper-series-stiffness"],

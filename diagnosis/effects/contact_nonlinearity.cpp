@@ -27,6 +27,7 @@ Effect contact_nonlinearity() {
         .mimics =
             "A softer contact (parameter-error of contact.constant_m_per_n23); the nonlinear one goes with the level "
             "of excitation, so a rougher section or a higher speed separates.",
+        .abrupt = true,  // its distortion grows with the square of the factor, its stiffness falls: at 1 the derivative may point the wrong way (a factor of 2 was missed so)
         .approximate = true,
         .obstacle = {},
         .apply =

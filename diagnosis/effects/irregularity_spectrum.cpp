@@ -32,6 +32,7 @@ Effect irregularity_spectrum() {
             "A gain that is wrong on all channels alike, and any effect below the wheels at one speed: all of them "
             "multiply every channel by one common factor. Over several speeds irregularity stays at its wavelength "
             "and structure at its frequency; a measured irregularity decides.",
+        .retuned = true,
         .obstacle = {},
         .apply =
             [](pem::CaseParameters& parameters, const EffectInstance& effect, const ParameterAccess&) {

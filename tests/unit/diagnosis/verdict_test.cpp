@@ -80,6 +80,14 @@ TEST(DropSuperfluous, ForgivesReleasedNumbersTwoNats) {
     }
 }
 
+// Retuning moves the level of the irregularity, too: what a name gains is the belief that it gives up, and the unseen part is as probable either way.
+TEST(DropSuperfluous, ForgivesTwoNatsWhereRetuningMovesTheSame) {
+    for (const auto& [effect, held_out, dropped] : {std::tuple("irregularity-spectrum", -1.5, false), std::tuple("irregularity-spectrum", -2.5, true), std::tuple("rail-shear", -1.5, true)}) {
+        NamingResult naming = naming_of({set_of({effect}, {}, 20.0, held_out)});
+        EXPECT_EQ(drop_superfluous(naming, thresholds), dropped) << effect << held_out;
+    }
+}
+
 TEST(DropSuperfluous, LeavesSetsThatDoNotContainEachOther) {
     NamingResult naming = naming_of({set_of({"rail-shear", "sensor-gain"}, {}, 100.5, 10.0), set_of({"body-bending"}, {}, 100.0, 10.0)});
     EXPECT_FALSE(drop_superfluous(naming, thresholds));
