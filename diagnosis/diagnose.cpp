@@ -87,7 +87,7 @@ class Diagnosing {
 
     /// Retuning leaves so much that no promise at its end says where to, and what was named does not stand.
     bool leaves_much() const {
-        if (!misses_much(naming_.retuned.fit, context_)) return false;
+        if (study_.by_retuned <= options_.thresholds.residual || !misses_much(naming_.retuned.fit, context_)) return false;  // without time series nothing is known of it
         if (naming_.sets.empty()) return true;
         const FittedSet& best = naming_.sets.front();
         const double nothing = naming_.retuned.score(), residual = options_.thresholds.residual;

@@ -21,7 +21,7 @@ std::vector<FittedSet> blunt_from_afar(const BelievedCase& believed, const Fit& 
                                        const LikelihoodContext& context, const std::function<void(const Candidate&)>& between);
 
 /// Free corrections of the places where the blunt likelihood finds most, fitted with it near the believed numbers, and the best of them sharpened: where retuning leaves much, its numbers are so
-/// far off that no step from there leads to what a place would have to be (a linkage of the bogies explained everything from here, and left 24 thousand nats from there). `between` as above, with what
+/// far off that no step from there leads to what a place would have to be (a linkage of the bogies, with two nodes an octave: nothing was left from here, 24 thousand nats from there). `between` as above, with what
 /// is being done.
 std::vector<FittedSet> corrections_from_afar(const BelievedCase& believed, const LikelihoodContext& context, const std::function<void(const std::string&)>& between);
 
