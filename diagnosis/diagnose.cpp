@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "diagnosis/from_afar.hpp"
+#include "diagnosis/hold_again.hpp"
 #include "diagnosis/locate.hpp"
 #include "diagnosis/model_error.hpp"
 #include "diagnosis/robust_covariance.hpp"
@@ -37,6 +38,7 @@ class Diagnosing {
             return std::move(result_);
         }
         if (drop_superfluous(naming_, options_.thresholds)) naming_.left_by_best.clear();  // it was of a set that is gone
+        if (!naming_.interrupted && rests_on_held_forces(naming_)) hold_again();
         study_places();
         try_beside();
         const Decision decision = decide(naming_, study_, options_.thresholds);
@@ -57,6 +59,14 @@ class Diagnosing {
         std::vector<PlaceEvidence> result;
         for (const LocatedEvidence& own : located) result.push_back({.element = own.place.element, .nats = own.nats, .forces = own.place.forces});
         return result;
+    }
+
+    void hold_again() {
+        say("the contacts under the forces that were found", 0.75);
+        observations_ = held_again(naming_.sets.front(), believed_, observations_);
+        coarse_ = coarse_observations(observations_);
+        fit_again(naming_, believed_, context_);
+        drop_superfluous(naming_, options_.thresholds);
     }
 
     void study_places() {
@@ -121,8 +131,8 @@ class Diagnosing {
     }
 
     const BelievedCase& believed_;
-    const std::vector<Observation>& observations_;
-    const std::vector<Observation> coarse_;
+    std::vector<Observation> observations_;
+    std::vector<Observation> coarse_;
     const DiagnoseOptions& options_;
     LikelihoodContext context_;
     const FitOptions near_{.from_far = false};

@@ -1,0 +1,60 @@
+#include "diagnosis/hold_again.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "diagnosis/held_distortion.hpp"
+
+namespace railpem::diagnosis {
+
+namespace {
+
+constexpr double kNear = 20.0;  ///< nats behind the best within which a set may come forward; other forces move a fit by as much
+
+bool is_of_contact(const EffectInstance& instance) { return element_of(*find_effect(instance.effect), instance) == Element::contact; }
+
+/// Values alone: predictions and derivatives were those of other forces.
+Fit values_of(const Fit& fit) { return {.trial = fit.trial, .unknowns = fit.unknowns, .values = fit.values}; }
+
+}  // namespace
+
+bool rests_on_held_forces(const NamingResult& naming) {
+    if (naming.sets.empty()) return false;
+    const std::vector<Candidate>& effects = naming.sets.front().effects;
+    return std::any_of(effects.begin(), effects.end(), [](const Candidate& own) { return is_of_contact(own.instance); });
+}
+
+std::vector<Observation> held_again(const FittedSet& set, const BelievedCase& believed, const std::vector<Observation>& observations) {
+    Trial trial = set.fit.trial;
+    std::erase_if(trial.effects, is_of_contact);
+    std::vector<Observation> held = observations;
+    for (Observation& own : held) {
+        if (own.scalar) continue;
+        hold_contact_distortion(own, case_of(trial, believed, own));
+        if (!own.coarse) continue;
+        Observation coarse = *own.coarse;
+        coarse.expectation.contacts = own.expectation.contacts;
+        own.coarse = std::make_shared<const Observation>(std::move(coarse));
+    }
+    return held;
+}
+
+void fit_again(NamingResult& naming, const BelievedCase& believed, const LikelihoodContext& context) {
+    const FitOptions near{.from_far = false};
+    const auto again = [&](const FittedSet& set, const std::vector<Candidate>& effects) { return fit_set(believed, values_of(set.fit), effects, set.released, {}, context, near); };
+    std::vector<FittedSet> sets;
+    const FittedSet& best = naming.sets.front();
+    std::vector<Candidate> without = best.effects;
+    std::erase_if(without, [](const Candidate& own) { return is_of_contact(own.instance); });
+    if (!without.empty() || !best.released.empty()) sets.push_back(again(best, without));
+    for (const FittedSet& own : naming.sets)
+        if (own.score() > best.score() - kNear) sets.push_back(again(own, own.effects));
+    naming.retuned = again(naming.retuned, {});
+    std::stable_sort(sets.begin(), sets.end(), [](const FittedSet& a, const FittedSet& b) { return a.score() > b.score(); });
+    naming.sets = std::move(sets);
+    naming.left_by_best.clear();
+    naming.left_by_retuned.clear();
+}
+
+}  // namespace railpem::diagnosis

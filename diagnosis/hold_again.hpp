@@ -1,0 +1,20 @@
+#pragma once
+// What the contacts distort, once it is known better than it was believed.
+
+#include <vector>
+
+#include "diagnosis/name.hpp"
+
+namespace railpem::diagnosis {
+
+/// Whether the best set has a member in the contact. What contacts distort goes with the fourth power of the forces, which were held as believed (held_distortion): wheelsets that are heavier than
+/// believed, or pads that are softer, looked like a contact that bends more than Hertz.
+bool rests_on_held_forces(const NamingResult& naming);
+
+/// The observations with the contacts under the forces of a fitted set, its members in the contact left out. Time series only; the others as they are.
+std::vector<Observation> held_again(const FittedSet& set, const BelievedCase& believed, const std::vector<Observation>& observations);
+
+/// Fits anew, near where they were, the retuned case, the sets that came near the best, and the best without its members in the contact. What was fitted on other observations is let go.
+void fit_again(NamingResult& naming, const BelievedCase& believed, const LikelihoodContext& context);
+
+}  // namespace railpem::diagnosis
