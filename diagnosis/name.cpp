@@ -213,8 +213,8 @@ class Search {
 
     void first_round() {
         std::vector<Starts> chosen = worth_refitting(result_.first_promises, result_.candidates, options_.least_promise, options_.refits);
-        add_replacing(result_.first_promises, result_.candidates, chosen);
         const std::vector<std::string> keys = releasable(result_.retuned.fit, {}, 2);
+        add_replacing(result_.first_promises, result_.candidates, keys, chosen);
         const double step = 0.4 / static_cast<double>(chosen.size() + keys.size() + 1);
         double share = 0.25;
         for (const Starts& starts : chosen) trials_.try_starts(result_.retuned.fit, starts, {}, {}, share += step);

@@ -47,7 +47,7 @@ std::vector<Starts> worth_refitting(const std::vector<Promise>& promises, const 
     return chosen;
 }
 
-void add_replacing(const std::vector<Promise>& promises, const std::vector<Candidate>& candidates, std::vector<Starts>& chosen) {
+void add_replacing(const std::vector<Promise>& promises, const std::vector<Candidate>& candidates, const std::vector<std::string>& released, std::vector<Starts>& chosen) {
     const auto element = [&](const Promise& promise) {
         const EffectInstance& instance = candidates[promise.candidate].instance;
         return element_of(*find_effect(instance.effect), instance);
@@ -55,7 +55,8 @@ void add_replacing(const std::vector<Promise>& promises, const std::vector<Candi
     for (const Promise& promise : promises) {
         if (!find_effect(candidates[promise.candidate].instance.effect)->replaces) continue;
         const bool there = std::any_of(chosen.begin(), chosen.end(), [&](const Starts& own) { return own.front().candidate == promise.candidate; });
-        const bool wanted = std::any_of(chosen.begin(), chosen.end(), [&](const Starts& own) { return element(own.front()) == element(promise); });
+        const bool wanted = std::any_of(chosen.begin(), chosen.end(), [&](const Starts& own) { return element(own.front()) == element(promise); }) ||
+                            std::any_of(released.begin(), released.end(), [&](const std::string& key) { return element_of_key(key) == element(promise); });
         if (wanted && !there) chosen.push_back({promise});
     }
 }

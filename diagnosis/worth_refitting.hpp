@@ -18,8 +18,8 @@ inline constexpr double kLeastReplacing = 30.0;
 /// screen() sorts them.
 std::vector<Starts> worth_refitting(const std::vector<Promise>& promises, const std::vector<Candidate>& candidates, double least, int most);
 
-/// Adds to `chosen` what replaces a law wherever something else at its place is worth a refit.
-void add_replacing(const std::vector<Promise>& promises, const std::vector<Candidate>& candidates, std::vector<Starts>& chosen);
+/// Adds to `chosen` what replaces a law wherever something else at its place is worth a refit, or one of the numbers `released` there is worth giving up: a rail that shears looks like one that bends more easily.
+void add_replacing(const std::vector<Promise>& promises, const std::vector<Candidate>& candidates, const std::vector<std::string>& released, std::vector<Starts>& chosen);
 
 /// Adds everything that replaces a law of the case: no derivative at nothing can promise it.
 void add_unpromised(const std::vector<Promise>& promises, const std::vector<Candidate>& candidates, std::vector<Starts>& chosen);
