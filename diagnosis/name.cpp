@@ -60,7 +60,7 @@ class Search {
         result_.candidates = std::move(list.candidates);
         if (misses_much(result_.retuned.fit, context_)) {
             blunt_search();
-            if (trials_.names() && leaves_little()) return;
+            if (trials_.names() && !is_doubtful() && leaves_little()) return;
         }
         if (result_.sets.empty()) {
             result_.first_promises = screened(result_.retuned.fit);
@@ -73,8 +73,11 @@ class Search {
         }
         const double before = trials_.leading().score();
         rescue_round();
-        if (trials_.leading().score() < before + options_.least_gain) return;
-        further_rounds(2);
+        if (trials_.leading().score() > before + options_.least_gain) further_rounds(2);
+        if (const FittedSet* single = trials_.best(1); is_doubtful() && single != nullptr && !single->effects.empty()) {
+            rescue_round(single);
+            further_rounds(3);
+        }
         left_over();
     }
 
