@@ -14,6 +14,7 @@ struct Candidate {
     EffectInstance probe;     ///< where screening looks: all but nothing, or `instance` where strength adds power
     bool two_sided = false;       ///< the opposite sign of the strength is as believable
     bool whole = false;           ///< it cannot begin smaller than it stands in `probe`: there as a whole or not at all
+    bool read_off = false;        ///< its values were read off the recordings: it starts there, however little of it the first order asks for
     double log_prior = 0.0;       ///< of this variant: the effect's, shared among its variants
 };
 

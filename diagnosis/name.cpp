@@ -9,6 +9,7 @@
 #include <map>
 
 #include "diagnosis/channel_delays.hpp"
+#include "diagnosis/channel_resonances.hpp"
 #include "diagnosis/comb_distances.hpp"
 #include "diagnosis/from_afar.hpp"
 #include "diagnosis/model_error.hpp"
@@ -134,6 +135,7 @@ class Search {
         say("screening the catalogue", 0.65);
         add_combs(fit, context_, result_.candidates);
         add_delays(fit, context_, result_.candidates);
+        add_resonances(fit, context_, result_.candidates);
         std::erase_if(result_.candidates, [&](const Candidate& own) { return is_left_out(own.instance.effect); });
         return screen(fit, result_.candidates, context_);
     }

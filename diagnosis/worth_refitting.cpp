@@ -34,7 +34,7 @@ std::vector<Starts> worth_refitting(const std::vector<Promise>& promises, const 
         const EffectInstance& instance = candidates[promise.candidate].instance;
         const double best = best_of_kind.try_emplace(element_of(*find_effect(instance.effect), instance) == Element::sensor, promise.gain).first->second;
         if (promise.gain < std::max(kLeastShare * best, kLeastShareOfAll * promises.front().gain)) continue;
-        if (!find_effect(instance.effect)->replaces && candidates[promise.candidate].whole && promise.strength < kLeastWhole) continue;
+        if (!find_effect(instance.effect)->replaces && candidates[promise.candidate].whole && !candidates[promise.candidate].read_off && promise.strength < kLeastWhole) continue;
         if (find_effect(instance.effect)->replaces && promise.gain < kLeastReplacing) continue;
         if (const auto known = of_variant.find(label_of(instance)); known != of_variant.end()) {
             if (chosen[known->second].size() < kStartsPerVariant) chosen[known->second].push_back(promise);
