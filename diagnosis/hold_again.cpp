@@ -10,12 +10,12 @@ namespace railpem::diagnosis {
 
 namespace {
 
-constexpr double kNear = 20.0;  ///< nats behind the best within which a set may come forward; other forces move a fit by as much
+constexpr double kWithinReach = 20.0;  ///< nats behind the best within which a set may come forward; other forces move a fit by as much
 
 bool is_of_contact(const EffectInstance& instance) { return element_of(*find_effect(instance.effect), instance) == Element::contact; }
 
 /// Values alone: predictions and derivatives were those of other forces.
-Fit values_of(const Fit& fit) { return {.trial = fit.trial, .unknowns = fit.unknowns, .values = fit.values}; }
+Fit values_alone(const Fit& fit) { return {.trial = fit.trial, .unknowns = fit.unknowns, .values = fit.values}; }
 
 }  // namespace
 
@@ -42,14 +42,14 @@ std::vector<Observation> held_again(const FittedSet& set, const BelievedCase& be
 
 void fit_again(NamingResult& naming, const BelievedCase& believed, const LikelihoodContext& context) {
     const FitOptions near{.from_far = false};
-    const auto again = [&](const FittedSet& set, const std::vector<Candidate>& effects) { return fit_set(believed, values_of(set.fit), effects, set.released, {}, context, near); };
+    const auto again = [&](const FittedSet& set, const std::vector<Candidate>& effects) { return fit_set(believed, values_alone(set.fit), effects, set.released, {}, context, near); };
     std::vector<FittedSet> sets;
     const FittedSet& best = naming.sets.front();
     std::vector<Candidate> without = best.effects;
     std::erase_if(without, [](const Candidate& own) { return is_of_contact(own.instance); });
     if (!without.empty() || !best.released.empty()) sets.push_back(again(best, without));
     for (const FittedSet& own : naming.sets)
-        if (own.score() > best.score() - kNear) sets.push_back(again(own, own.effects));
+        if (own.score() > best.score() - kWithinReach) sets.push_back(again(own, own.effects));
     naming.retuned = again(naming.retuned, {});
     std::stable_sort(sets.begin(), sets.end(), [](const FittedSet& a, const FittedSet& b) { return a.score() > b.score(); });
     naming.sets = std::move(sets);

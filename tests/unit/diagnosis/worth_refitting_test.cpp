@@ -47,5 +47,27 @@ TEST(WorthRefitting, GridPointsOfAVariantGoTogether) {
     EXPECT_EQ(chosen.front().size(), 3U);
 }
 
+// A rail that shears looks like one that bends more easily: the number was released, and the law never tried.
+TEST(WorthRefitting, ANumberWorthReleasingSpeaksForTheLawOfItsPlace) {
+    const std::vector<Candidate> candidates = {candidate("rail-shear", {}), candidate("pad-hysteresis", {})};
+    const std::vector<Promise> promises = {promise(0, 1.0), promise(1, 1.0)};
+    std::vector<Starts> chosen;
+    add_replacing(promises, candidates, {}, chosen);
+    EXPECT_TRUE(chosen.empty());
+    add_replacing(promises, candidates, {"track.rail.second_moment_of_area_m4"}, chosen);
+    EXPECT_EQ(labels(chosen, candidates), std::vector<std::string>{"rail-shear"});
+}
+
+// Half a bin beside a sharp peak the first order asks for a hundredth of it.
+TEST(WorthRefitting, WhatWasReadOffStartsThere) {
+    std::vector<Candidate> candidates = {candidate("sensor-resonance", {{"channel", "bogie_1"}})};
+    candidates[0].whole = true;
+    std::vector<Promise> promises = {promise(0, 100.0)};
+    promises[0].strength = 0.01;
+    EXPECT_TRUE(worth_refitting(promises, candidates, 5.0, 8).empty());
+    candidates[0].read_off = true;
+    EXPECT_EQ(worth_refitting(promises, candidates, 5.0, 8).size(), 1U);
+}
+
 }  // namespace
 }  // namespace railpem::diagnosis
