@@ -10,7 +10,7 @@ namespace railpem::diagnosis {
 
 namespace {
 
-constexpr double kWithinReach = 20.0;  ///< nats behind the best within which a set may come forward; other forces move a fit by as much
+constexpr double kWithinReach = 20.0;  ///< nats behind the best within which a set may come forward under other forces; by judgement
 
 bool is_of_contact(const EffectInstance& instance) { return element_of(*find_effect(instance.effect), instance) == Element::contact; }
 

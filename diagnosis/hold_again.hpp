@@ -8,7 +8,7 @@
 namespace railpem::diagnosis {
 
 /// Whether the best set has a member in the contact. What contacts distort goes with the fourth power of the forces, which were held as believed (held_distortion): wheelsets that are heavier than
-/// believed, or pads that are softer, looked like a contact that bends more than Hertz.
+/// believed, a gain or a flat loss factor looked like a contact that bends more than Hertz.
 bool rests_on_held_forces(const NamingResult& naming);
 
 /// The observations with the contacts under the forces of a fitted set, its members in the contact left out. Time series only; the others as they are.

@@ -178,7 +178,7 @@ class Search {
         return missed_by(best.fit, context_) <= misfit && left_over() < bearable();
     }
 
-    /// A number that has to be wrong beside an effect of structure: more often than not the effect stands on a lower hill of its own parameters (ballast at 89 Hz with a rail a fifth too heavy, for ballast at 245 Hz).
+    /// A number that has to be wrong beside an effect of structure: the effect may stand on a lower hill of its own parameters, as in three marched trials of three (ballast at 91 Hz with a rail a fifth too heavy, for ballast at 245 Hz).
     bool is_doubtful() const {
         const FittedSet& best = trials_.leading();
         const auto is_structure = [](const Candidate& own) { return element_of(*find_effect(own.instance.effect), own.instance) != Element::sensor; };

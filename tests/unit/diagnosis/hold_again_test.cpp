@@ -19,7 +19,6 @@ Synthesised heavier_wheelsets() {
     Synthesised made = synthesised(paper_believed({"vehicle.wheelset_mass_kg", "vehicle.primary.stiffness_n_per_m", "track.pads.damping_n_s_per_m"}), {33.0, 39.0}, 60.0, nine_channels(),
                                    {.window_s = 4.0, .low_hz = 2.0, .high_hz = 175.0});
     made.truth.numbers.vehicle.wheelset_mass_kg *= kHeavier;
-    const std::vector<Observation> as_believed = made.shapes;
     pem::CaseParameters heavier = made.believed.numbers;
     heavier.vehicle.wheelset_mass_kg *= kHeavier;
     made.draw(11);  // linear: only for the power of the wheels
