@@ -129,10 +129,13 @@ diagnosis::Diagnosis run_diagnosis(const CaseFile& file, const DiagnosisRequest&
     options.progress = [&](const std::string&, double share) { observer.progress(share); };
     options.interrupted = observer.interrupted;
     diagnosis::Diagnosis result = diagnosis::diagnose(believed, loaded.observations, options);
-    for (std::size_t o = 0; o < result.recordings.size(); ++o) {
-        result.recordings[o].faults = loaded.faults[o];
-        result.recordings[o].irregularity_measured = loaded.irregularity_measured[o];
-        result.recordings[o].channels_not_used = loaded.channels_not_used[o];
+    std::size_t loaded_at = 0;  // in the same order, some left out
+    for (auto& own : result.recordings) {
+        while (loaded.observations[loaded_at].name != own.name) ++loaded_at;
+        own.faults = loaded.faults[loaded_at];
+        own.irregularity_measured = loaded.irregularity_measured[loaded_at];
+        own.channels_not_used = loaded.channels_not_used[loaded_at];
+        ++loaded_at;
     }
     return result;
 }

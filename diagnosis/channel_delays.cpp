@@ -1,13 +1,12 @@
 #include "diagnosis/channel_delays.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <map>
 #include <numbers>
 
-#include "diagnosis/likelihood.hpp"
+#include "diagnosis/said_by_others.hpp"
 #include "pem/sensor_chain.hpp"
 #include "pem/solution.hpp"
 
@@ -28,36 +27,17 @@ struct Agreement {
 
 using Agreements = std::map<std::size_t, std::vector<Agreement>>;  ///< by response
 
-/// x̂ = wᴴ·x is the most that the other channels say of one: of S⁻¹ its column, −1/P_cc of it and nothing of the channel itself.
-Agreement agreement(const Eigen::MatrixXcd& inverse, const Eigen::MatrixXcd& data, long channel, double frequency_hz) {
-    Eigen::VectorXcd weights = -inverse.col(channel) / inverse(channel, channel).real();
-    weights(channel) = 0.0;
-    const Eigen::VectorXcd seen = data * weights;
-    const double said = weights.dot(seen).real(), measured = data(channel, channel).real();
-    if (!(said > 0.0 && measured > 0.0)) return {frequency_hz, 0.0};
-    const Complex coherence = weights.dot(data.col(channel)) / std::sqrt(said * measured);  // of what is said with what is measured
+Agreement agreement(const SaidByOthers& own) {
+    if (!(own.said > 0.0 && own.measured > 0.0)) return {own.frequency_hz, 0.0};
+    const Complex coherence = own.cross / std::sqrt(own.said * own.measured);
     const double power = std::min(std::norm(coherence), 1.0);
     const double weight = std::min(kMostWeight, power / std::max(1.0 - power, 1e-9));
-    return {frequency_hz, power > 0.0 ? coherence / std::sqrt(power) * weight : 0.0};
-}
-
-void add_agreements(const Fit& fit, const LikelihoodContext& context, std::size_t o, Agreements& agreements) {
-    const Observation& observation = (*context.observations)[o];
-    const MeasuredSpectra& data = measured(observation, context.part);
-    const long size = static_cast<long>(observation.channels.size());
-    if (observation.scalar || size < 2) return;
-    const Eigen::MatrixXcd identity = Eigen::MatrixXcd::Identity(size, size);
-    for (std::size_t bin = 0; bin < observation.bins(); ++bin) {
-        const Eigen::MatrixXcd own = Eigen::Map<const Eigen::MatrixXcd>(&data.values[bin * static_cast<std::size_t>(size * size)], size, size);
-        const Eigen::MatrixXcd inverse = complete_prediction(fit.trial, observation, o, fit.predictions[o], bin, context.least_floor).llt().solve(identity);
-        for (long c = 0; c < size; ++c)
-            agreements[observation.channels[static_cast<std::size_t>(c)].response].push_back(agreement(inverse, own, c, observation.frequency(bin)));
-    }
+    return {own.frequency_hz, power > 0.0 ? coherence / std::sqrt(power) * weight : 0.0};
 }
 
 Agreements agreements_of(const Fit& fit, const LikelihoodContext& context) {
     Agreements agreements;
-    for (std::size_t o = 0; o < context.observations->size(); ++o) add_agreements(fit, context, o, agreements);
+    for_each_said_by_others(fit, context, [&](const SaidByOthers& own) { agreements[own.response].push_back(agreement(own)); });
     return agreements;
 }
 

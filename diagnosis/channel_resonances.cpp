@@ -1,12 +1,11 @@
 #include "diagnosis/channel_resonances.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <map>
 
-#include "diagnosis/likelihood.hpp"
+#include "diagnosis/said_by_others.hpp"
 #include "pem/sensor_chain.hpp"
 #include "pem/solution.hpp"
 
@@ -29,30 +28,14 @@ struct Transfer {
 using Transfers = std::map<double, Transfer>;           ///< by frequency, over all recordings
 using TransfersOf = std::map<std::size_t, Transfers>;   ///< by response
 
-/// Of S⁻¹ its column is −1/P_cc of the weights w and nothing of the channel itself. In units of what the fit expects, so that no recording drowns the others.
-void add_transfer(const Eigen::MatrixXcd& inverse, const Eigen::MatrixXcd& data, long channel, double expected, Transfer& sum) {
-    Eigen::VectorXcd weights = -inverse.col(channel) / inverse(channel, channel).real();
-    weights(channel) = 0.0;
-    sum.cross += weights.dot(data.col(channel)) / expected;
-    sum.said += (weights.adjoint() * data * weights).value().real() / expected;
-}
-
+/// In units of what the fit expects, so that no recording drowns the others.
 TransfersOf transfers_of(const Fit& fit, const LikelihoodContext& context) {
     TransfersOf transfers;
-    for (std::size_t o = 0; o < context.observations->size(); ++o) {
-        const Observation& observation = (*context.observations)[o];
-        const MeasuredSpectra& data = measured(observation, context.part);
-        const long size = static_cast<long>(observation.channels.size());
-        if (observation.scalar || size < 2) continue;
-        const Eigen::MatrixXcd identity = Eigen::MatrixXcd::Identity(size, size);
-        for (std::size_t bin = 0; bin < observation.bins(); ++bin) {
-            const Eigen::MatrixXcd own = Eigen::Map<const Eigen::MatrixXcd>(&data.values[bin * static_cast<std::size_t>(size * size)], size, size);
-            const Eigen::MatrixXcd expected = complete_prediction(fit.trial, observation, o, fit.predictions[o], bin, context.least_floor);
-            const Eigen::MatrixXcd inverse = expected.llt().solve(identity);
-            for (long c = 0; c < size; ++c)
-                add_transfer(inverse, own, c, expected(c, c).real(), transfers[observation.channels[static_cast<std::size_t>(c)].response][observation.frequency(bin)]);
-        }
-    }
+    for_each_said_by_others(fit, context, [&](const SaidByOthers& own) {
+        Transfer& sum = transfers[own.response][own.frequency_hz];
+        sum.cross += own.cross / own.expected;
+        sum.said += own.said / own.expected;
+    });
     return transfers;
 }
 

@@ -9,6 +9,7 @@
 #include "diagnosis/model_error.hpp"
 #include "diagnosis/robust_covariance.hpp"
 #include "diagnosis/verdict.hpp"
+#include "diagnosis/wheel_unloading.hpp"
 #include "diagnosis/write_up.hpp"
 
 namespace railpem::diagnosis {
@@ -23,7 +24,7 @@ constexpr double kRoomForCurve = 300.0; ///< nats that a correction may stay beh
 class Diagnosing {
   public:
     Diagnosing(const BelievedCase& believed, const std::vector<Observation>& observations, const DiagnoseOptions& options)
-        : believed_(believed), observations_(observations), coarse_(coarse_observations(observations)), options_(options),
+        : believed_(believed), observations_(observations), left_out_(leave_out_unloaded(observations_)), coarse_(coarse_observations(observations_)), options_(options),
           context_{.believed = &believed_, .observations = &observations_, .coarse = &coarse_, .part = Part::fitted, .least_floor = 0.0, .threads = options.threads} {}
 
     Diagnosis run() {
@@ -46,6 +47,7 @@ class Diagnosing {
         refit(decision);
         write_up({.believed = believed_, .observations = observations_, .context = context_, .thresholds = options_.thresholds, .naming = naming_, .study = study_, .decision = decision,
                   .retuned = retuned_, .named = named_}, result_);
+        result_.remains.insert(result_.remains.end(), left_out_.begin(), left_out_.end());
         result_.seconds_taken = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
         return std::move(result_);
     }
@@ -81,7 +83,9 @@ class Diagnosing {
         if (!naming_.sets.empty() && naming_.sets.front().score() > naming_.retuned.score() + options_.thresholds.least_gain)
             study_.at_named = evidence(naming_.left_by_best.empty() ? locate(naming_.sets.front().fit, context_) : naming_.left_by_best);
         if (leaves_much()) {
-            study_.anonymous = corrections_from_afar(believed_, context_, [this](const std::string& what) { say(what, 0.85); });
+            const auto between = [this](const std::string& what) { say(what, 0.85); };
+            if (naming_.blunt_corrections.empty()) naming_.blunt_corrections = blunt_corrections(believed_, context_, between);
+            study_.anonymous = sharpened_corrections(believed_, naming_.blunt_corrections, context_, between);
             if (!naming_.sets.empty() && leans(naming_.sets.front(), naming_.retuned.score())) study_.anonymous.push_back(fit_beyond_range(believed_, naming_.sets.front(), context_, {}));
             return;
         }
@@ -132,6 +136,7 @@ class Diagnosing {
 
     const BelievedCase& believed_;
     std::vector<Observation> observations_;
+    std::vector<std::string> left_out_;  ///< recordings, and why
     std::vector<Observation> coarse_;
     const DiagnoseOptions& options_;
     LikelihoodContext context_;

@@ -113,6 +113,7 @@ std::vector<std::vector<Candidate>> variants_from_afar(const std::vector<Candida
 
 std::vector<FittedSet> blunt_from_afar(const BelievedCase& believed, const Fit& near, const std::vector<Candidate>& members, const std::vector<std::vector<Candidate>>& variants,
                                        const LikelihoodContext& context, const std::function<void(const Candidate&)>& between) {
+    if (variants.empty()) return {};
     const LikelihoodContext blunt = blunted(context, kBluntFloor);
     const Fit without = fit_set(believed, near, members, {}, {}, blunt, {.iterations = kFurtherBluntIterations, .from_far = false}).fit;
     if (!without.derivatives) return {};  // physics forbids the members as they stand
@@ -130,7 +131,7 @@ std::vector<FittedSet> blunt_from_afar(const BelievedCase& believed, const Fit& 
     return sets;
 }
 
-std::vector<FittedSet> corrections_from_afar(const BelievedCase& believed, const LikelihoodContext& context, const std::function<void(const std::string&)>& between) {
+std::vector<FittedSet> blunt_corrections(const BelievedCase& believed, const LikelihoodContext& context, const std::function<void(const std::string&)>& between) {
     const LikelihoodContext blunt = blunted(context, kBluntFloor);
     FitOptions options{.iterations = kFurtherBluntIterations, .from_far = false};
     const FittedSet retuned = fit_set(believed, Fit{}, {}, {}, {}, blunt, options);
@@ -144,6 +145,10 @@ std::vector<FittedSet> corrections_from_afar(const BelievedCase& believed, const
         sets.push_back(fit_correction(believed, retuned, located[i], blunt, options));
     }
     std::stable_sort(sets.begin(), sets.end(), [](const FittedSet& a, const FittedSet& b) { return a.score() > b.score(); });
+    return sets;
+}
+
+std::vector<FittedSet> sharpened_corrections(const BelievedCase& believed, std::vector<FittedSet> sets, const LikelihoodContext& context, const std::function<void(const std::string&)>& between) {
     if (sets.size() > kSharpCorrections) sets.erase(sets.begin() + static_cast<long>(kSharpCorrections), sets.end());
     for (FittedSet& set : sets) {
         const auto step = [&] { between("free correction of the " + element_name(set.anonymous.front().element) + ", sharpened"); };
@@ -159,8 +164,8 @@ FittedSet half_sharpened(const BelievedCase& believed, const FittedSet& blunt, c
     return fit_set(believed, blunt.fit, blunt.effects, blunt.released, blunt.anonymous, half, options);
 }
 
-FittedSet sharpened(const BelievedCase& believed, const FittedSet& half_sharp, const LikelihoodContext& context, const std::function<void()>& between) {
-    FitOptions options{.iterations = 20, .stages = {0.015, 0.006, 0.0025}, .stage_iterations = kStepsOfAStage};
+FittedSet sharpened(const BelievedCase& believed, const FittedSet& half_sharp, const LikelihoodContext& context, const std::function<void()>& between, const Fit* rival) {
+    FitOptions options{.iterations = 20, .stages = {0.015, 0.006, 0.0025}, .stage_iterations = kStepsOfAStage, .rival = rival};
     options.between = between;
     const Fit values{.trial = half_sharp.fit.trial, .unknowns = half_sharp.fit.unknowns, .values = half_sharp.fit.values};  // its derivatives are of short windows
     return fit_set(believed, values, half_sharp.effects, half_sharp.released, half_sharp.anonymous, context, options);

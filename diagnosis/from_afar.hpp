@@ -20,10 +20,13 @@ std::vector<std::vector<Candidate>> variants_from_afar(const std::vector<Candida
 std::vector<FittedSet> blunt_from_afar(const BelievedCase& believed, const Fit& near, const std::vector<Candidate>& members, const std::vector<std::vector<Candidate>>& variants,
                                        const LikelihoodContext& context, const std::function<void(const Candidate&)>& between);
 
-/// Free corrections of the places where the blunt likelihood finds most, fitted with it near the believed numbers, and the best of them sharpened: where retuning leaves much, its numbers are so
+/// Free corrections of the places where the blunt likelihood finds most, fitted with it near the believed numbers, best first: where retuning leaves much, its numbers are so
 /// far off that no step from there leads to what a place would have to be (a linkage of the bogies, with two nodes an octave: nothing was left from here, 24 thousand nats from there). `between` as above, with what
 /// is being done.
-std::vector<FittedSet> corrections_from_afar(const BelievedCase& believed, const LikelihoodContext& context, const std::function<void(const std::string&)>& between);
+std::vector<FittedSet> blunt_corrections(const BelievedCase& believed, const LikelihoodContext& context, const std::function<void(const std::string&)>& between);
+
+/// The best two of them, sharpened.
+std::vector<FittedSet> sharpened_corrections(const BelievedCase& believed, std::vector<FittedSet> sets, const LikelihoodContext& context, const std::function<void(const std::string&)>& between);
 
 /// The floor at which it shows whether a set that was fitted with the blunt likelihood is worth sharpening.
 constexpr double kHalfSharpFloor = 0.04;
@@ -31,7 +34,7 @@ constexpr double kHalfSharpFloor = 0.04;
 /// A set fitted with the blunt likelihood, sharpened to kHalfSharpFloor.
 FittedSet half_sharpened(const BelievedCase& believed, const FittedSet& blunt, const LikelihoodContext& context, const std::function<void()>& between);
 
-/// The same sharpened to the end, in small steps.
-FittedSet sharpened(const BelievedCase& believed, const FittedSet& half_sharp, const LikelihoodContext& context, const std::function<void()>& between);
+/// The same sharpened to the end, in small steps; given up where it cannot come near `rival`, a fit of the sharp likelihood, if there is one.
+FittedSet sharpened(const BelievedCase& believed, const FittedSet& half_sharp, const LikelihoodContext& context, const std::function<void()>& between, const Fit* rival = nullptr);
 
 }  // namespace railpem::diagnosis

@@ -25,6 +25,7 @@ constexpr double kLeastRelease = 3.0;  ///< nats to first order; what a wrong be
 
 constexpr double kBluntSearch = 0.1;   ///< relative floor
 constexpr double kHalfSharpMiss = 0.05; ///< of what retuning misses, a single that is there may leave when half sharp: axles that bend left nothing, failed fasteners in the place of two other effects 11 %
+constexpr double kOutdone = 0.1;       ///< of what an unknown explains bluntly: a linkage of the bogies left the best names 1 %; where a search ended with a name its best single had 48 % and more before that (six marched recordings)
 constexpr double kMinor = 0.05;        ///< share of what a set explains: for what is left of that order no other set is sought in its place
 constexpr std::size_t kSharpened = 3;  ///< of the effects fitted from afar: those that the blunt likelihood prefers, until nothing is left
 
@@ -61,6 +62,7 @@ class Search {
         result_.candidates = std::move(list.candidates);
         if (misses_much(result_.retuned.fit, context_)) {
             blunt_search();
+            if (outdone_) return;
             if (trials_.names() && !is_doubtful() && leaves_little()) return;
         }
         if (result_.sets.empty()) {
@@ -111,10 +113,24 @@ class Search {
         }
         if (search.misses()) search.rescue_round();  // before anything is added to what stands in for it
         search.further_rounds(2);
+        blunt_from_afar_ = std::move(search.blunt_from_afar_);
+        outdone_ = search.misses() && search.is_outdone();
+        result_.blunt_corrections = std::move(found.blunt_corrections);
+        if (outdone_) return;
         search.rescue_beside();
         const FittedSet& best = search.trials_.leading();
         if (best.score() > std::max(single, found.retuned.score()) + options_.least_gain) sharpen(half_sharp(best));
         if (!result_.sets.empty()) further_rounds(static_cast<int>(trials_.leading().members()) + 1);
+    }
+
+    /// Whether an unknown of one place explains so much more than the best names, bluntly, that no search will end with a name. Sensors do not count, as in is_among().
+    bool is_outdone() {
+        result_.blunt_corrections = blunt_corrections(believed_, context_, [this](const std::string& what) { say(what, 0.5); });
+        const double nothing = result_.retuned.score();
+        double most = 0.0;
+        for (const FittedSet& own : result_.blunt_corrections)
+            if (own.anonymous.front().element != Element::sensor) most = std::max(most, own.score() - nothing);
+        return trials_.leading().score() - nothing < kOutdone * most;
     }
 
     FittedSet half_sharp(const FittedSet& blunt) const {
@@ -203,18 +219,36 @@ class Search {
             if (element == Element::support) element = Element::pad;  // rigid ground has no correction of its own
             return is_among(result_.left_by_retuned, element) || is_among(result_.left_by_best, element);
         };
+        std::vector<FittedSet> blunt = fitted_from_afar(beside, members, variants_from_afar(result_.candidates, members, is_evident));
+        if (trials_.is_blunt()) {
+            if (!beside) blunt_from_afar_ = blunt;
+            return static_cast<void>(std::move(blunt.begin(), blunt.end(), std::back_inserter(result_.sets)));
+        }
+        std::stable_sort(blunt.begin(), blunt.end(), [](const FittedSet& a, const FittedSet& b) { return a.fit.log_posterior > b.fit.log_posterior; });
+        const FittedSet* best = trials_.best(members.size() + 1);
+        const bool contested = best && std::isfinite(best->score());
+        const Fit rival = contested ? best->fit : Fit{};  // sets may move
+        for (std::size_t i = 0; i < std::min(kSharpened, blunt.size()); ++i) {
+            const auto step = [&] { say(label_of(blunt[i].effects.back().instance) + " from afar", 0.7); };
+            result_.sets.push_back(sharpened(believed_, half_sharpened(believed_, blunt[i], context_, step), context_, step, contested ? &rival : nullptr));
+            if (leaves_little()) break;
+        }
+    }
+
+    /// The blunt fits of a rescue round; alone, what the blunt search has fitted from afar already is not fitted again.
+    std::vector<FittedSet> fitted_from_afar(const FittedSet* beside, const std::vector<Candidate>& members, std::vector<std::vector<Candidate>> variants) const {
         const auto between = [this](const Candidate& own) { say(label_of(own.instance) + " from afar", 0.7); };
+        std::vector<FittedSet> known;
+        if (!beside) known = blunt_from_afar_;
+        std::erase_if(variants, [&](const std::vector<Candidate>& own) {
+            return std::any_of(known.begin(), known.end(), [&](const FittedSet& set) { return same_variant(set.effects.back().instance, own.front().instance); });
+        });
         // Of another floor and other windows neither values nor derivatives are a start.
         const Fit believed;
         const Fit& near = !trials_.is_blunt() ? believed : beside ? beside->fit : result_.retuned.fit;
-        std::vector<FittedSet> blunt = blunt_from_afar(believed_, near, members, variants_from_afar(result_.candidates, members, is_evident), context_, between);
-        if (trials_.is_blunt()) return static_cast<void>(std::move(blunt.begin(), blunt.end(), std::back_inserter(result_.sets)));
-        std::stable_sort(blunt.begin(), blunt.end(), [](const FittedSet& a, const FittedSet& b) { return a.fit.log_posterior > b.fit.log_posterior; });
-        for (std::size_t i = 0; i < std::min(kSharpened, blunt.size()); ++i) {
-            const auto step = [&] { between(blunt[i].effects.back()); };
-            result_.sets.push_back(sharpened(believed_, half_sharpened(believed_, blunt[i], context_, step), context_, step));
-            if (leaves_little()) break;
-        }
+        std::vector<FittedSet> blunt = blunt_from_afar(believed_, near, members, variants, context_, between);
+        std::move(known.begin(), known.end(), std::back_inserter(blunt));
+        return blunt;
     }
 
     /// The best single leaves much, and no derivative beside it leads to what explains that: the second of two strong effects.
@@ -301,6 +335,8 @@ class Search {
     const NamingOptions& options_;
     NamingResult& result_;
     SetTrials trials_;
+    bool outdone_ = false;                    ///< by an unknown of one place: is_outdone()
+    std::vector<FittedSet> blunt_from_afar_;  ///< singles that the blunt search has fitted from afar
     std::map<int, double> extended_;  ///< score of the set to which a further member was sought last, by the number of members
     double left_beside_ = -std::numeric_limits<double>::infinity(), most_left_ = 0.0;  ///< score of the set that left_over() looked at last, and its answer
 };

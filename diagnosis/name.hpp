@@ -32,6 +32,7 @@ struct NamingResult {
     std::vector<Candidate> candidates;
     std::vector<LocatedEvidence> left_by_best;     ///< what free corrections would still bring beside the best set; empty: not asked
     std::vector<LocatedEvidence> left_by_retuned;  ///< and beside the retuned case
+    std::vector<FittedSet> blunt_corrections;      ///< free corrections of the evident places as blunt_corrections() has them; empty: not asked
     double unseen_share = 0.0;                     ///< of what a fit gains, what is there should gain in the unseen part: its length by that of the fitted one
     bool interrupted = false;
 };

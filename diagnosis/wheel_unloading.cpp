@@ -2,20 +2,44 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "pem/contact_distortion.hpp"
 
 namespace railpem::diagnosis {
+
+namespace {
+
+bool is_of_vehicle(const Observation& observation) { return !observation.scalar && observation.speed_m_per_s > 0.0; }
+
+bool is_unloaded(const Observation& observation) {
+    constexpr double kMost = 1.0 / 3.0;
+    return is_of_vehicle(observation) && observation.expectation.contacts.force_variation > kMost;
+}
+
+}  // namespace
 
 std::vector<std::string> wheel_unloading(const Trial& trial, const BelievedCase& believed, const std::vector<Observation>& observations) {
     constexpr double kMost = 0.25;  // four deviations to nothing: of sixty trials of the full proof the six above it were wrong (docs/proof)
     std::vector<std::string> said;
     for (const Observation& observation : observations) {
-        if (observation.scalar || observation.speed_m_per_s <= 0.0) continue;
+        if (!is_of_vehicle(observation)) continue;
         const double variation = pem::contact_force_variation(case_of(trial, believed, observation), observation.speed_m_per_s);
         if (variation > kMost)
             said.push_back(fmt::format("{}: the contact forces vary by {:.0f} % of the static load (rms), so that wheels leave the rail now and then; what that does is not in the expectation, a slower run would do without",
                                        observation.name, 100.0 * variation));
     }
+    return said;
+}
+
+std::vector<std::string> leave_out_unloaded(std::vector<Observation>& observations) {
+    std::vector<std::string> said;
+    if (std::none_of(observations.begin(), observations.end(), [](const Observation& own) { return is_of_vehicle(own) && !is_unloaded(own); })) return said;
+    for (const Observation& own : observations)
+        if (is_unloaded(own))
+            said.push_back(fmt::format("{}: left out: the contact forces vary by {:.0f} % of the static load (rms), so that wheels leave the rail, which the expectation does not describe", own.name,
+                                       100.0 * own.expectation.contacts.force_variation));
+    std::erase_if(observations, is_unloaded);
     return said;
 }
 

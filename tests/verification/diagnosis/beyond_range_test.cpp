@@ -10,6 +10,7 @@
 #include "diagnosis/fitted_set.hpp"
 #include "diagnosis/from_afar.hpp"
 #include "diagnosis/locate.hpp"
+#include "diagnosis/name.hpp"
 #include "tests/unit/diagnosis/synthesised_fixture.hpp"
 
 namespace railpem::diagnosis {
@@ -43,8 +44,8 @@ TEST(BeyondRange, AnAbsorberOnTheAxlesActsLikeAnAxleThatBendsTooLow) {
         }
 }
 
-// A linkage that ties the bogies to each other. Four numbers are retuned: few enough for a free correction fitted from there to arrive, and the one from afar has to come as near.
-TEST(CorrectionsFromAfar, FindALinkageOfTheBogies) {
+/// Records of a car whose bogies a linkage ties to each other.
+Synthesised linkage_of_the_bogies() {
     Synthesised made = two_speeds(60.0);
     lanes::FactorCurve spring;
     const double stiffness = 2e6, mass = made.believed.numbers.vehicle.bogie_mass_kg / 2.0;
@@ -54,11 +55,17 @@ TEST(CorrectionsFromAfar, FindALinkageOfTheBogies) {
     }
     made.truth.numbers.vehicle.between_bogies.rear = spring;
     made.draw(8);
+    return made;
+}
+
+// Four numbers are retuned: few enough for a free correction fitted from there to arrive, and the one from afar has to come as near.
+TEST(CorrectionsFromAfar, FindALinkageOfTheBogies) {
+    const Synthesised made = linkage_of_the_bogies();
     const LikelihoodContext context = made.context(Part::fitted, 2);
     const FittedSet retuned = fit_set(made.believed, Fit{}, {}, {}, {}, context, {});
     const LocatedEvidence first = locate(retuned.fit, context).front();
     const FittedSet near = fit_correction(made.believed, retuned, first, context, {.iterations = 12, .from_far = false});
-    const std::vector<FittedSet> sets = corrections_from_afar(made.believed, context, [](const std::string&) {});
+    const std::vector<FittedSet> sets = sharpened_corrections(made.believed, blunt_corrections(made.believed, context, [](const std::string&) {}), context, [](const std::string&) {});
     ASSERT_FALSE(sets.empty());
     const FittedSet& best = *std::max_element(sets.begin(), sets.end(), [](const FittedSet& a, const FittedSet& b) { return a.score() < b.score(); });
     std::printf("retuned %.0f; from there, %s: %.0f; from afar, %s: %.0f\n", retuned.score(), element_name(first.place.element).c_str(), near.score(),
@@ -66,6 +73,19 @@ TEST(CorrectionsFromAfar, FindALinkageOfTheBogies) {
     EXPECT_EQ(best.anonymous.front().element, Element::bogie);
     EXPECT_TRUE(best.anonymous.front().attached);
     EXPECT_GT(best.score(), near.score() - 5.0);  // nats: what decides between sets
+}
+
+// No name comes near what a free correction explains: the search ends there, and what it has fitted is left to the study of the places.
+TEST(CorrectionsFromAfar, ALinkageOfTheBogiesEndsTheSearchForNames) {
+    const Synthesised made = linkage_of_the_bogies();
+    std::vector<std::string> said;
+    NamingOptions options;
+    options.progress = [&](const std::string& what, double) { said.push_back(what); };
+    const NamingResult found = name_physics(made.believed, made.context(Part::fitted, 2), options);
+    EXPECT_LE(found.sets.size(), 1u) << "the best single may have been sharpened before";
+    ASSERT_FALSE(found.blunt_corrections.empty());
+    EXPECT_EQ(found.blunt_corrections.front().anonymous.front().element, Element::bogie);
+    EXPECT_EQ(said.back().find("free correction"), 0u) << said.back();
 }
 
 }  // namespace
