@@ -5,6 +5,8 @@
 #include <map>
 #include <utility>
 
+#include "diagnosis/scalar_likelihood.hpp"
+
 namespace railpem::diagnosis {
 
 namespace {
@@ -37,6 +39,14 @@ void hold_out_recordings(std::vector<Observation>& observations) {
         }
         share(observations, group);
     }
+}
+
+double unseen_share(const std::vector<Observation>& observations) {
+    double fitted = 0.0, unseen = 0.0;
+    for (const Observation& observation : observations) fitted += observation.fitted.seconds, unseen += observation.held_out.seconds;
+    if (fitted > 0.0) return unseen / fitted;
+    const auto values = static_cast<double>(scalar_count(observations, Part::fitted));
+    return values > 0.0 ? static_cast<double>(scalar_count(observations, Part::held_out)) / values : 0.0;
 }
 
 }  // namespace railpem::diagnosis

@@ -12,4 +12,7 @@ namespace railpem::diagnosis {
 /// because what the model class cannot say of a track it cannot say of it on any day.
 void hold_out_recordings(std::vector<Observation>& observations);
 
+/// Length of the unseen part by that of the fitted one: in seconds, or in values where there are only those.
+double unseen_share(const std::vector<Observation>& observations);
+
 }  // namespace railpem::diagnosis

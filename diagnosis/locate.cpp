@@ -23,4 +23,12 @@ std::vector<LocatedEvidence> locate(const Fit& fit, const LikelihoodContext& con
     return ranked;
 }
 
+bool is_evident_among(const std::vector<LocatedEvidence>& left, Element element, double chance) {
+    constexpr double kEvident = 0.1;
+    double most = chance / kEvident;
+    for (const LocatedEvidence& own : left)
+        if (own.place.element != Element::sensor) most = std::max(most, own.nats);
+    return std::any_of(left.begin(), left.end(), [&](const LocatedEvidence& own) { return own.place.element == element && own.nats > kEvident * most; });
+}
+
 }  // namespace railpem::diagnosis

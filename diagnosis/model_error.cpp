@@ -31,4 +31,9 @@ bool misses_much(const Fit& fit, const LikelihoodContext& context) {
     return misfit.nats >= kMuch_per_s * misfit.seconds;
 }
 
+bool is_doubtful(const FittedSet& set) {
+    const auto is_structure = [](const Candidate& own) { return element_of(*find_effect(own.instance.effect), own.instance) != Element::sensor; };
+    return !set.released.empty() && std::any_of(set.effects.begin(), set.effects.end(), is_structure);
+}
+
 }  // namespace railpem::diagnosis

@@ -28,4 +28,8 @@ double missed_by(const Fit& fit, const LikelihoodContext& context);
 /// Whether a fit misses so much, 100 nats a second that the unseen part repeats, that its derivatives say nothing of the believed case: its numbers are bent to little avail.
 bool misses_much(const Fit& fit, const LikelihoodContext& context);
 
+/// A number that has to be wrong beside an effect of structure: the effect may stand on a lower hill of its own parameters, as in three marched trials of three (ballast at 91 Hz with a rail a fifth too heavy, for
+/// ballast at 245 Hz).
+bool is_doubtful(const FittedSet& set);
+
 }  // namespace railpem::diagnosis

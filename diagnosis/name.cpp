@@ -12,8 +12,8 @@
 #include "diagnosis/channel_resonances.hpp"
 #include "diagnosis/comb_distances.hpp"
 #include "diagnosis/from_afar.hpp"
+#include "diagnosis/hold_out_recordings.hpp"
 #include "diagnosis/model_error.hpp"
-#include "diagnosis/scalar_likelihood.hpp"
 #include "diagnosis/set_trials.hpp"
 #include "diagnosis/worth_refitting.hpp"
 
@@ -25,18 +25,9 @@ constexpr double kLeastRelease = 3.0;  ///< nats to first order; what a wrong be
 
 constexpr double kBluntSearch = 0.1;   ///< relative floor
 constexpr double kHalfSharpMiss = 0.05; ///< of what retuning misses, a single that is there may leave when half sharp: axles that bend left nothing, failed fasteners in the place of two other effects 11 %
-constexpr double kOutdone = 0.1;       ///< of what an unknown explains bluntly: a linkage of the bogies left the best names 1 %; where a search ended with a name its best single had 48 % and more before that (six marched recordings)
+constexpr double kOutdone = 0.1;       ///< of what an unknown explains bluntly: the best names had 1 % of a linkage of the bogies, a single of the two effects of the paper 48 %
 constexpr double kMinor = 0.05;        ///< share of what a set explains: for what is left of that order no other set is sought in its place
 constexpr std::size_t kSharpened = 3;  ///< of the effects fitted from afar: those that the blunt likelihood prefers, until nothing is left
-
-/// Length of the unseen part by that of the fitted one: in seconds, or in values where there are only those.
-double unseen_share(const std::vector<Observation>& observations) {
-    double fitted = 0.0, unseen = 0.0;
-    for (const Observation& observation : observations) fitted += observation.fitted.seconds, unseen += observation.held_out.seconds;
-    if (fitted > 0.0) return unseen / fitted;
-    const auto values = static_cast<double>(scalar_count(observations, Part::fitted));
-    return values > 0.0 ? static_cast<double>(scalar_count(observations, Part::held_out)) / values : 0.0;
-}
 
 class Search {
   public:
@@ -63,21 +54,21 @@ class Search {
         if (misses_much(result_.retuned.fit, context_)) {
             blunt_search();
             if (outdone_) return;
-            if (trials_.names() && !is_doubtful() && leaves_little()) return;
+            if (trials_.names() && !is_doubtful(trials_.leading()) && leaves_little()) return;
         }
         if (result_.sets.empty()) {
             result_.first_promises = screened(result_.retuned.fit);
             first_round();
         }
         further_rounds(2);
-        if (!is_doubtful()) {
+        if (!is_doubtful(trials_.leading())) {
             if (leaves_little()) return;
             if (left_over() < kMinor * (trials_.leading().score() - result_.retuned.score())) return;
         }
         const double before = trials_.leading().score();
         rescue_round();
         if (trials_.leading().score() > before + options_.least_gain) further_rounds(2);
-        if (const FittedSet* single = trials_.best(1); is_doubtful() && single != nullptr && !single->effects.empty()) {
+        if (const FittedSet* single = trials_.best(1); is_doubtful(trials_.leading()) && single != nullptr && !single->effects.empty()) {
             rescue_round(single);
             further_rounds(3);
         }
@@ -123,7 +114,7 @@ class Search {
         if (!result_.sets.empty()) further_rounds(static_cast<int>(trials_.leading().members()) + 1);
     }
 
-    /// Whether an unknown of one place explains so much more than the best names, bluntly, that no search will end with a name. Sensors do not count, as in is_among().
+    /// Whether an unknown of one place explains so much more than the best names, bluntly, that no search will end with a name. Sensors do not count, as in is_evident_among().
     bool is_outdone() {
         result_.blunt_corrections = blunt_corrections(believed_, context_, [this](const std::string& what) { say(what, 0.5); });
         const double nothing = result_.retuned.score();
@@ -194,22 +185,6 @@ class Search {
         return missed_by(best.fit, context_) <= misfit && left_over() < bearable();
     }
 
-    /// A number that has to be wrong beside an effect of structure: the effect may stand on a lower hill of its own parameters, as in three marched trials of three (ballast at 91 Hz with a rail a fifth too heavy, for ballast at 245 Hz).
-    bool is_doubtful() const {
-        const FittedSet& best = trials_.leading();
-        const auto is_structure = [](const Candidate& own) { return element_of(*find_effect(own.instance.effect), own.instance) != Element::sensor; };
-        return !best.released.empty() && std::any_of(best.effects.begin(), best.effects.end(), is_structure);
-    }
-
-    /// Is a place of the structure evident? Sensors do not count: free at every frequency, one imitates what its channel shows most.
-    bool is_among(const std::vector<LocatedEvidence>& left, Element element) const {
-        constexpr double kEvident = 0.1;  ///< share of the most evident place's nats
-        double most = options_.residual / kEvident;
-        for (const LocatedEvidence& own : left)
-            if (own.place.element != Element::sensor) most = std::max(most, own.nats);
-        return std::any_of(left.begin(), left.end(), [&](const LocatedEvidence& own) { return own.place.element == element && own.nats > kEvident * most; });
-    }
-
     /// A strong effect distorts the retuned case so much that no first derivative finds it from there, and as little `beside` a set while it is not among its members. Effects of the evident
     /// places, and those that follow the load, are fitted at a typical strength with a blunt likelihood first, from where that retunes the case without them.
     void rescue_round(const FittedSet* beside = nullptr) {
@@ -217,7 +192,7 @@ class Search {
         if (result_.left_by_retuned.empty()) result_.left_by_retuned = locate(result_.retuned.fit, context_);
         const auto is_evident = [&](Element element) {
             if (element == Element::support) element = Element::pad;  // rigid ground has no correction of its own
-            return is_among(result_.left_by_retuned, element) || is_among(result_.left_by_best, element);
+            return is_evident_among(result_.left_by_retuned, element, options_.residual) || is_evident_among(result_.left_by_best, element, options_.residual);
         };
         std::vector<FittedSet> blunt = fitted_from_afar(beside, members, variants_from_afar(result_.candidates, members, is_evident));
         if (trials_.is_blunt()) {
@@ -308,24 +283,9 @@ class Search {
             released.push_back(key);
             trials_.try_set(from.fit, from.effects, released, share);
         }
-        if (members == 2 && highest > from.score() + options_.least_gain) swap_first(winner, from, share);
+        if (members == 2 && highest > from.score() + options_.least_gain) trials_.swap_first(winner, from, share);
         const FittedSet* larger = trials_.best(static_cast<std::size_t>(members));
         return larger && larger->score() > from.score() + options_.least_gain;
-    }
-
-    /// The second member stays, the first is replaced by the other promising singles.
-    void swap_first(const Candidate& second, const FittedSet& from, double share) {
-        constexpr int kSwaps = 2;
-        std::vector<const FittedSet*> singles;
-        for (const FittedSet& set : result_.sets)
-            if (set.effects.size() == 1 && set.released.empty() && !same_variant(set.effects[0].instance, second.instance) &&
-                (from.effects.empty() || !same_variant(set.effects[0].instance, from.effects[0].instance)))
-                singles.push_back(&set);
-        std::sort(singles.begin(), singles.end(), [](const FittedSet* a, const FittedSet* b) { return a->score() > b->score(); });
-        std::vector<Candidate> firsts;
-        for (const FittedSet* single : singles)
-            if (static_cast<int>(firsts.size()) < kSwaps && single->score() > result_.retuned.score()) firsts.push_back(single->effects[0]);
-        for (const Candidate& first : firsts) trials_.try_set(result_.retuned.fit, {first, second}, {}, share);
     }
 
     void say(const std::string& what, double share) const { trials_.say(what, share); }

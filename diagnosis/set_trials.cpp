@@ -15,6 +15,7 @@ constexpr int kBluntRetuning = 8;
 constexpr double kFar = 50.0;  ///< nats that a start may lie below the fit that it starts from and still be near
 constexpr int kFarIterations = 4;
 constexpr int kContinuations = 3;
+constexpr std::size_t kSwaps = 2;
 constexpr int kDecoyIterations = 6;
 constexpr double kDecoyShare = 0.5;  ///< of what a comb gains, that lines in other places gain too
 
@@ -161,6 +162,19 @@ std::size_t SetTrials::prune() {
     }
     const std::size_t left = leading().members();
     return left < members.size() + released.size() ? left : 0;
+}
+
+void SetTrials::swap_first(const Candidate& second, const FittedSet& from, double share) {
+    std::vector<const FittedSet*> singles;
+    for (const FittedSet& set : result_.sets)
+        if (set.effects.size() == 1 && set.released.empty() && !same_variant(set.effects[0].instance, second.instance) &&
+            (from.effects.empty() || !same_variant(set.effects[0].instance, from.effects[0].instance)))
+            singles.push_back(&set);
+    std::sort(singles.begin(), singles.end(), [](const FittedSet* a, const FittedSet* b) { return a->score() > b->score(); });
+    std::vector<Candidate> firsts;
+    for (const FittedSet* single : singles)
+        if (firsts.size() < kSwaps && single->score() > result_.retuned.score()) firsts.push_back(single->effects[0]);
+    for (const Candidate& first : firsts) try_set(result_.retuned.fit, {first, second}, {}, share);
 }
 
 const FittedSet* SetTrials::best(std::size_t members) const {

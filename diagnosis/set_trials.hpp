@@ -42,6 +42,9 @@ class SetTrials {
     /// then the best set, where that is smaller; 0 otherwise, and where this set was asked about before.
     std::size_t prune();
 
+    /// Pairs in which `second` stays and the first of the set `from`, a single, is replaced by the other promising singles.
+    void swap_first(const Candidate& second, const FittedSet& from, double share);
+
     /// The best set of so many members; none: nullptr.
     const FittedSet* best(std::size_t members) const;
 
