@@ -51,6 +51,9 @@ InputError refused_arguments(const CLI::App& program, const CLI::ParseError& err
     const CLI::App& verb = chosen.empty() ? program : *chosen.front();
     const std::string name = chosen.empty() ? "railpem" : "railpem " + verb.get_name();
     const std::vector<std::string> extras = verb.remaining(true);
+    // Of a value that is no good the message has the option and what it takes; all other options would bury that.
+    if (dynamic_cast<const CLI::ValidationError*>(&error) || dynamic_cast<const CLI::ConversionError*>(&error))
+        return InputError(fmt::format("{}: {}\nallowed: what {} --help says of it", name, error.what(), name));
     if (extras.empty())
         return InputError(fmt::format("{}: {}\nallowed: {}; {} --help says more", name, error.what(),
                                       joined(option_names(verb)), name));

@@ -1,6 +1,7 @@
 #include "app/diagnosis_request.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <set>
@@ -77,7 +78,7 @@ void add_series(const recordings::Recording& recording, const RecordingFile& des
     const recordings::InspectionReport inspection = recordings::inspect(recording, inspection_beliefs(file, description));
     std::vector<std::string> faults, not_used;
     for (const recordings::Fault& fault : inspection.faults) {
-        if (fault.severity != recordings::Severity::note) faults.push_back(fault.says);
+        if (fault.severity != recordings::Severity::note) faults.push_back(fmt::format("{}{}{}", fmt::join(fault.channels, ", "), fault.channels.empty() ? "" : ": ", fault.says));
         // At another speed nothing lies where it is looked for, and no fit would come near.
         if (fault.kind == recordings::FaultKind::speed_mismatch && fault.severity == recordings::Severity::error)
             throw InputError(fmt::format("{}: {}\nallowed: the speed of the record, in m/s", path, fault.says));

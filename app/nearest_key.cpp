@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <string_view>
 
 #include "app/schema.hpp"
@@ -50,7 +51,18 @@ std::string without_unit(const std::string& key) {
     return stem;
 }
 
+namespace {
+
+std::string in_small_letters(std::string text) {
+    for (char& letter : text) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+    return text;
+}
+
+}  // namespace
+
 std::string nearest_key(const std::string& unknown, const std::vector<std::string>& known) {
+    for (const std::string& key : known)
+        if (key != unknown && in_small_letters(key) == in_small_letters(unknown)) return key;
     const std::string stem = without_unit(unknown);
     std::string nearest;
     std::size_t least = std::string::npos;

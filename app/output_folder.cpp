@@ -25,6 +25,7 @@ namespace {
     throw OutputError(fmt::format("cannot write {}: {}{}", file.string(), reason, consequence));
 }
 
+constexpr const char* kFolderOption = "--out";  ///< others name a file, whose folder may be the current one
 constexpr const char* kNothingKept = "\nnothing of this run was kept";
 
 /// Writes and flushes to the disk, so that a full disk is found here and not after the run has said that all is well.
@@ -58,6 +59,7 @@ int flush_file(const fs::path& file) {
 
 OutputFolder::OutputFolder(const fs::path& folder, const std::string& option)
     : folder_(folder.empty() ? fs::path(".") : folder), option_(option) {
+    if (folder.empty() && option_ == kFolderOption) throw InputError(fmt::format("{}: no folder is named\nallowed: a folder that can be written, or a new one; . is the current one", option_));
     try {
         make_folders();
         const fs::path probe = folder_ / fmt::format(".railpem-{}.partial", ::getpid());
@@ -113,6 +115,8 @@ void OutputFolder::commit() {
     for (const File& file : files_)
         if (fs::is_directory(file.final_name, failure))
             fail_file(file.final_name, "a folder of that name is in the way", kNothingKept);
+        else if (fs::exists(file.final_name, failure) && !fs::is_regular_file(file.final_name, failure))
+            fail_file(file.final_name, "a device or a pipe of that name is in the way", kNothingKept);
     for (const File& file : files_) {
         fs::rename(file.temporary, file.final_name, failure);
         if (failure) fail_file(file.final_name, failure.message(), "");

@@ -110,10 +110,15 @@ bool is_recording(const Document& document) {
     return document.root.find("data") != nullptr || document.root.find("channel") != nullptr;
 }
 
-InputError refused(const recordings::ReadError& error) {
+InputError refused_window(const std::string& description, const parameters::ParameterError& error) {
+    return InputError(fmt::format("{}: --window: {}\nallowed: {}", description, error.problem(), error.allowed()));
+}
+
+InputError refused(const recordings::ReadError& error, const std::string& description) {
     const std::string place = error.line() > 0 ? fmt::format("{}:{}", error.file(), error.line()) : error.file();
-    return InputError(fmt::format("{}: {}{}{}", place, error.problem(),
-                                  error.allowed().empty() ? "" : "\nallowed: ", error.allowed()));
+    const bool named = !description.empty() && description != error.file();
+    return InputError(fmt::format("{}: {}{}{}{}{}", place, error.problem(), error.allowed().empty() ? "" : "\nallowed: ", error.allowed(), named ? "\nnamed by: " : "",
+                                  named ? description : ""));
 }
 
 std::string describe_recording() {

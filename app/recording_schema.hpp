@@ -32,8 +32,11 @@ RecordingFile read_recording(const std::string& path);
 /// True when a file says by its keys that it describes a recording.
 bool is_recording(const Document& document);
 
-/// The message for a data file that cannot be read: "recording.csv:17: …".
-InputError refused(const recordings::ReadError& error);
+/// The message for a data file that cannot be read: "recording.csv:17: …", and the description that it was read for, if there is one.
+InputError refused(const recordings::ReadError& error, const std::string& description = "");
+
+/// The message for a recording that is too short, or too full of gaps, for the windows that were asked for.
+InputError refused_window(const std::string& description, const parameters::ParameterError& error);
 
 /// Runs `work`, which opens the data of a recording, and turns what it refuses into InputError.
 template <class Work>
@@ -41,8 +44,9 @@ auto reading_data(const RecordingFile& file, const Work& work) {
     try {
         return work();
     } catch (const recordings::ReadError& error) {
-        throw refused(error);
+        throw refused(error, file.document.name);
     } catch (const parameters::ParameterError& error) {
+        if (error.key() == "window_s") throw refused_window(file.document.name, error);  // no key of a description
         throw refused(file.document, error);
     }
 }

@@ -61,7 +61,7 @@ void check_simulation(const SimulationRequest& request) {
     const auto within = [](double value, double low, double high) { return value >= low && value <= high; };
     if (!within(request.seconds, 0.0, kMostSeconds))
         refuse_option("--seconds", fmt::format("a record of {:g} s cannot be made", request.seconds),
-               fmt::format("at most {:g} s", kMostSeconds));
+               fmt::format("greater than 0, at most {:g} s", kMostSeconds));
     for (const auto& [option, seed] :
          {std::pair("--seed", std::optional(request.seed)), std::pair("--profile-seed", request.profile_seed)})
         if (seed && *seed < 0) refuse_option(option, fmt::format("cannot be {}", *seed), "a whole number of at least 0");

@@ -31,6 +31,8 @@ int diagnose(const DiagnoseRequest& request) {
     });
     write_diagnosis(*folder, result, request.diagnosis);
     folder->commit();
+    for (const diagnosis::UsedRecording& recording : result.recordings)
+        for (const std::string& fault : recording.faults) fmt::print(stderr, "{}: warning: {}\n", recording.name, fault);
     fmt::print("{}{}\n{}\n{}\n", diagnosis::verdict_name(result.verdict), result.interrupted ? " (interrupted)" : "", result.statement,
                (folder->path() / "report.html").string());
     return 0;

@@ -51,6 +51,8 @@ void check_outputs(const InspectRequest& request) {
     std::error_code ignored;
     if (!request.html.empty() && fs::is_directory(request.html, ignored))
         throw InputError(fmt::format("--html {}: is a folder\nallowed: a file, or --out DIR", request.html));
+    if (!request.html.empty() && fs::exists(request.html, ignored) && !fs::is_regular_file(request.html, ignored))
+        throw InputError(fmt::format("--html {}: is a device or a pipe\nallowed: a file, or --out DIR", request.html));
     if (!request.options.empty() && request.case_path.empty())
         throw InputError("--set: there is no case to set it in\nallowed: with --case CASE");
 }

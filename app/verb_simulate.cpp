@@ -47,6 +47,8 @@ void check_truth_path(const SimulateRequest& request) {
             refuse_option("--truth " + request.truth, "would overwrite the recording", "another file");
     if (fs::is_directory(request.truth, ignored) || fs::path(request.truth).filename().empty())
         refuse_option("--truth " + request.truth, "is a folder", "a file");
+    if (fs::exists(request.truth, ignored) && !fs::is_regular_file(request.truth, ignored))
+        refuse_option("--truth " + request.truth, "is a device or a pipe", "a file");
 }
 
 RecordingFormat format_of(const std::string& name) {

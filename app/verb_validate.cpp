@@ -5,18 +5,20 @@
 #include <memory>
 
 #include "app/case_schema.hpp"
+#include "app/read_table.hpp"
 #include "app/recording_schema.hpp"
 #include "app/sweep_schema.hpp"
 #include "app/verbs.hpp"
+#include "pem/rail_model.hpp"
 #include "recordings/load_recording.hpp"
 
 namespace railpem::app {
 
 namespace {
 
-/// Every input file says what it is by its keys: only a sweep names a case, only a recording has data.
+/// Every input file says what it is by its keys: only a sweep names a case, or what varies, only a recording has data.
 bool is_sweep(const Document& document) {
-    return document.root.find("case") != nullptr;
+    return document.root.find("case") || document.root.find("vary") || document.root.find("design");
 }
 
 int valid(const std::string& path, const std::string& kind, const std::string& title) {
@@ -40,7 +42,13 @@ int validate(const std::string& path) {
     const Document document = read_document(path);
     if (is_recording(document)) return validate_recording(path);
     if (is_sweep(document)) return valid(path, "sweep", read_sweep(path, {}).description.title);
-    return valid(path, "case", read_case(path, {}).parameters.title);
+    const CaseFile file = read_case(path, {});
+    try {
+        pem::case_equilibrium(file.parameters);  // a pad that carries nothing shows there and not before
+    } catch (const parameters::ParameterError& error) {
+        throw refused(file.document, error);
+    }
+    return valid(path, "case", file.parameters.title);
 }
 
 }  // namespace

@@ -71,6 +71,20 @@ void set_averages(CrossSpectra& spectra) {
     spectra.averages_per_bin = averages_per_bin(spectra.segments);
 }
 
+/// No window is complete: which channel is to blame.
+[[noreturn]] void refuse_gaps(const TimeSeries& series) {
+    const Channel* worst = nullptr;
+    std::ptrdiff_t most = -1;
+    for (const Channel& channel : series.channels) {
+        const std::ptrdiff_t missing = std::count_if(channel.samples.begin(), channel.samples.end(), [](double x) { return !std::isfinite(x); });
+        if (missing > most) most = missing, worst = &channel;
+    }
+    const bool dead = worst && most == static_cast<std::ptrdiff_t>(worst->samples.size());
+    throw parameters::ParameterError("window_s", dead ? fmt::format("{} holds no sample at all, so that no window of the record is complete", worst->description.name)
+                                                      : fmt::format("every window of the record holds a missing sample; {} misses most, {}", worst ? worst->description.name : "nothing", most),
+                                     dead ? "the description without this channel" : "a shorter window, a record with fewer gaps, or the description without this channel");
+}
+
 }  // namespace
 
 std::vector<double> without_trend(const std::vector<double>& samples) {
@@ -153,9 +167,7 @@ CrossSpectra estimate_cross_spectra(const TimeSeries& series, const SegmentOptio
     }
     spectra.segments_skipped = spectra.segments.count - used;
     spectra.segments.count = used;
-    if (used == 0)
-        throw parameters::ParameterError("window_s", "every window of the record holds a missing sample",
-                                         "a shorter window, or a record with fewer gaps");
+    if (used == 0) refuse_gaps(series);
     const double energy = std::inner_product(window.begin(), window.end(), window.begin(), 0.0);
     spectra.matrices = sums.matrices(2.0 / (rate * energy * static_cast<double>(used)));
     for (std::size_t k = 0; k < bins; ++k)

@@ -71,6 +71,18 @@ void add_channel(const checks::Evidence& evidence, std::size_t i, InspectionRepo
     report.channels.push_back(std::move(inspection));
 }
 
+/// Axle boxes or bogies of which no delay to another was found, though the recording has several: nothing was seen of their timing, order and polarity.
+std::vector<std::string> without_delay(const checks::Evidence& evidence, Location location) {
+    std::vector<std::string> alone;
+    std::size_t members = 0;
+    for (std::size_t i = 0; i < evidence.series().channels.size(); ++i) {
+        if (evidence.series().channels[i].description.location != location) continue;
+        ++members;
+        if (std::none_of(evidence.delays.begin(), evidence.delays.end(), [&](const PairDelay& pair) { return pair.front == i || pair.rear == i; })) alone.push_back(evidence.name(i));
+    }
+    return members > 1 ? alone : std::vector<std::string>{};
+}
+
 /// What was not looked at, so that silence is not taken for soundness.
 void add_not_checked(const checks::Evidence& evidence, InspectionReport& report) {
     const TimeSeries& series = evidence.series();
@@ -85,6 +97,10 @@ void add_not_checked(const checks::Evidence& evidence, InspectionReport& report)
     else if (evidence.delays.empty())
         report.not_checked.emplace_back(
             "speed, timing, order and polarity by delays: no two axle boxes or bogies show the same track");
+    else
+        for (const Location location : {Location::wheel, Location::bogie})
+            if (const std::vector<std::string> alone = without_delay(evidence, location); !alone.empty())
+                report.not_checked.push_back(fmt::format("timing, order and polarity of {} by delays: none to another such channel was found; a longer record shows more", fmt::join(alone, ", ")));
     if (!evidence.spectra)
         report.not_checked.emplace_back("everything that needs a spectrum: there is no complete window of 2 s");
     std::vector<std::string> body;

@@ -71,10 +71,10 @@ std::string fit_bars(const Diagnosis& d, bool seen) {
            rms_bar("retuned", "retuned", retuned.rms_db, largest) +
            rms_bar("diagnosed", "diagnosed", after.rms_db, largest);
     return out + fmt::format(
-                     "<p class=\"soft\">Log-likelihood per {}, 0 is the best possible: believed {}, retuned {}, "
+                     "<p class=\"soft\">Log-likelihood per {}{}: believed {}, retuned {}, "
                      "diagnosed "
                      "{}.</p></div>\n",
-                     d.per_value ? "value" : "second", figure(before.log_likelihood_per_second), figure(retuned.log_likelihood_per_second),
+                     d.per_value ? "value" : "second", seen ? ", 0 is the best possible" : ", to be compared with each other", figure(before.log_likelihood_per_second), figure(retuned.log_likelihood_per_second),
                      figure(after.log_likelihood_per_second));
 }
 

@@ -22,9 +22,10 @@ Fault about(FaultKind kind, std::vector<std::string> channels, std::string says,
 }
 
 void check_duplicates(const Evidence& evidence, std::vector<Fault>& faults) {
+    constexpr std::size_t kFewest = 100;  // of fewer samples any two agree
     const auto& x = evidence.detrended;
     for (std::size_t i = 0; i < x.size(); ++i)
-        for (std::size_t j = 0; j < i; ++j) {
+        for (std::size_t j = 0; j < i && x[i].size() >= kFewest; ++j) {
             double ii = 0.0, jj = 0.0, ij = 0.0;
             for (std::size_t n = 0; n < x[i].size(); ++n) {
                 ii += x[i][n] * x[i][n];
@@ -107,6 +108,7 @@ void check_order(const Evidence& evidence, std::vector<Fault>& faults) {
 /// Above 20 Hz every suspension makes the next mass quieter: wheel, bogie, body.
 void check_roughness(const Evidence& evidence, std::vector<Fault>& faults) {
     const CrossSpectra& spectra = *evidence.spectra;
+    constexpr double kNothing_db = -250.0;  // a channel that stands still is said to, and is no measure of others
     const auto level = [&](std::size_t channel) {
         double sum = 0.0;
         for (std::size_t k = 1; k < spectra.bins(); ++k)
@@ -126,7 +128,7 @@ void check_roughness(const Evidence& evidence, std::vector<Fault>& faults) {
                 continue;
             if (quiet.scale == Scale::unknown || rough.scale == Scale::unknown) continue;
             const double difference = level(i) - level(j);
-            if (difference < 6.0) continue;
+            if (difference < 6.0 || level(j) < kNothing_db) continue;
             // Said of the pair that differs most, not of every pair that the same swap disturbs.
             bool largest = true;
             for (std::size_t k = 0; k < spectra.size() && largest; ++k)
