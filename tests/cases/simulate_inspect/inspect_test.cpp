@@ -137,7 +137,7 @@ TEST(Inspect, BadDescriptionsAreRefused) {
         {"wheel\"\nindex = 1", "bogie\"\nindex = 3",
          "r.toml:6:9: channel[1].index: 3 does not say which one\n  6 | index = 3\n    |         ^\nallowed: 1 to 2\n"},
         {"index = 1", "index = 1\nunit = \"furlong\"", "r.toml:7:8: channel[1].unit: "},
-        {"d.csv", "nowhere.csv", "nowhere.csv: there is no such file\nallowed: a data file beside the description\n"},
+        {"d.csv", "nowhere.csv", "nowhere.csv: there is no such file\nallowed: a data file beside the description\nnamed by: r.toml\n"},
         {"d.csv", "d.docx", "d.docx: there is no such file\n"},
         {"name = \"a\"", "name = \"A1\"", "d.csv:1: "},
         {"d.csv", "ragged.csv", "ragged.csv:3: "},
