@@ -70,6 +70,14 @@ TEST(Inspect, OneScreenOfText) {
               simulated().run({"inspect", "clean/recording.toml"}).output);  // the folder or its description
 }
 
+// Its axles bend: two axle boxes seemed to be exchanged, by a delay that the resonance made.
+TEST(Inspect, TheShippedRecordingIsSound) {
+    const std::string shipped = std::string(RAILPEM_SOURCE_DIR) + "/cases/";
+    const Outcome outcome = simulated().run({"inspect", shipped + "concealed", "--case", shipped + "wei2016/case1.toml"});
+    ASSERT_EQ(outcome.status, 0) << outcome.message;
+    EXPECT_NE(outcome.output.find("\n\nNo fault was found.\n"), std::string::npos) << outcome.output;
+}
+
 /// All axle boxes in g where the description says m/s²: they agree with each other, so only the believed case can tell.
 TEST(Inspect, CaseFindsAWrongUnit) {
     const Folder folder;
