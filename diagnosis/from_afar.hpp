@@ -13,8 +13,8 @@ std::vector<std::vector<Candidate>> variants_from_afar(const std::vector<Candida
                                                        const std::function<bool(Element)>& evident);
 
 /// Every list of `variants` (one effect each, not empty) fitted beside `members` with a likelihood that is blunt enough (a floor of 10 %) to have one broad maximum, in no order.
-/// Without any of them the case is fitted first, from `near` (nothing: from the believed numbers, and members where their instances stand). Starts are typical values, either end of every range and the
-/// frequencies of the variants; each is approached by the derivatives of the case without it, and the best two climbed: with the numbers as believed a mass of 24 kg/m tuned to 49 Hz ranked behind
+/// Without any of them the case is fitted first, from `near` (nothing: from the believed numbers, and members where their instances stand). Starts are typical values, either ends of the ranges, and the
+/// frequencies of the variants, typical and strong; each is approached by the derivatives of the case without it, and the best two climbed: with the numbers as believed a mass of 24 kg/m tuned to 49 Hz ranked behind
 /// others at 79 to 127 Hz, and was lost. What cannot come near the best so far is given up. None where physics forbids the members as they stand.
 /// `between` is called between steps with what is being fitted, and may throw to stop.
 std::vector<FittedSet> blunt_from_afar(const BelievedCase& believed, const Fit& near, const std::vector<Candidate>& members, const std::vector<std::vector<Candidate>>& variants,

@@ -21,12 +21,10 @@ namespace railpem::diagnosis {
 
 namespace {
 
-constexpr double kLeastRelease = 3.0;  ///< nats to first order; what a wrong belief distorts is seen too small from there
-
 constexpr double kBluntSearch = 0.1;   ///< relative floor
 constexpr double kHalfSharpMiss = 0.05; ///< of what retuning misses, a single that is there may leave when half sharp: axles that bend left nothing, failed fasteners in the place of two other effects 11 %
 constexpr double kOutdone = 0.1;       ///< of what an unknown explains bluntly: the best names had 1 % of a linkage of the bogies, a single of the two effects of the paper 48 %
-constexpr double kMinor = 0.05;        ///< share of what a set explains: for what is left of that order no other set is sought in its place
+constexpr double kMinor = 0.05;        ///< share of what a single explains: for what is left of that order nothing else is sought in its place. Two may stand in for one (pads that stiffen and a mass on the rail for ballast)
 constexpr std::size_t kSharpened = 3;  ///< of the effects fitted from afar: those that the blunt likelihood prefers, until nothing is left
 
 class Search {
@@ -63,7 +61,7 @@ class Search {
         further_rounds(2);
         if (!is_doubtful(trials_.leading())) {
             if (leaves_little()) return;
-            if (left_over() < kMinor * (trials_.leading().score() - result_.retuned.score())) return;
+            if (trials_.leading().members() == 1 && left_over() < kMinor * (trials_.leading().score() - result_.retuned.score())) return;
         }
         const double before = trials_.leading().score();
         rescue_round();

@@ -50,11 +50,21 @@ bool unseen_disagrees(const FittedSet& smaller, const FittedSet& larger, double 
 
 constexpr double kLeaning = 2.0;  ///< nats that a set may gain beyond the range of its physics by chance: two deviations
 
+constexpr double kAtTheEnd = 0.01;  ///< of a range
+
+/// Whether a strength lies on the end of its range towards nothing: what is there would have to be weaker than anything of its kind.
+bool is_at_weak_end(const EffectParameter& parameter, double coordinate) {
+    if (!parameter.strength || (parameter.nothing > parameter.low && parameter.nothing < parameter.high)) return false;
+    const double low = to_coordinate(parameter, parameter.low), high = to_coordinate(parameter, parameter.high);
+    const double weak = parameter.nothing >= parameter.high ? high : low;
+    return std::abs(coordinate - weak) < kAtTheEnd * (high - low);
+}
+
 /// A member is smaller than anybody would speak of: it makes up for what a law beside it is off by.
 bool is_trifling(const FittedSet& set) {
     for (std::size_t u = 0; u < set.fit.unknowns.size(); ++u)
         if (const EffectParameter* parameter = parameter_of(set.fit.unknowns[u]))
-            if (std::abs(from_coordinate(*parameter, set.fit.values[u]) - parameter->nothing) < parameter->least) return true;
+            if (std::abs(from_coordinate(*parameter, set.fit.values[u]) - parameter->nothing) < parameter->least || is_at_weak_end(*parameter, set.fit.values[u])) return true;
     return false;
 }
 

@@ -37,6 +37,13 @@ TEST(WorthRefitting, NoMoreThanAskedAndNothingFaint) {
     EXPECT_TRUE(worth_refitting(promises, candidates, 2000.0, 8).empty());
 }
 
+// Retuning moves sleeper passing and the spectrum already, against what is believed of them: what is left of a promise there is what the belief costs.
+TEST(WorthRefitting, WhatOnlyGivesUpABeliefNeedsLess) {
+    const std::vector<Candidate> candidates = {candidate("rail-damper", {}), candidate("sleeper-passing", {}), candidate("irregularity-spectrum", {})};
+    const std::vector<Promise> promises = {promise(0, 3.5), promise(1, 3.4), promise(2, 2.9)};
+    EXPECT_EQ(labels(worth_refitting(promises, candidates, 7.0, 8), candidates), std::vector<std::string>{"sleeper-passing"});
+}
+
 // Grid points of one variant are starts of one fit.
 TEST(WorthRefitting, GridPointsOfAVariantGoTogether) {
     std::vector<Candidate> candidates(5, candidate("rail-damper", {}));
