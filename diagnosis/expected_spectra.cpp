@@ -27,7 +27,6 @@ namespace {
 using Complex = std::complex<double>;
 
 constexpr double kLeastOrder = 0.1;  ///< of the strongest order of the modulation: 20 dB below what is itself 30 dB below the irregularity
-constexpr double kInexactExcess = 0.02;   ///< of the lines of an excess of sleeper passing, from wheel to wheel: how far the deflection under standing loads (what is said to be in excess) is from that under rolling ones. Measured 0.01 at 38 m/s
 constexpr double kOverThePivot_m = 0.25;  ///< m: a sensor on the body counts as over the pivot or at the centre within this
 
 std::string response_of(const recordings::ChannelDescription& channel, const pem::CaseParameters& parameters) {
@@ -193,12 +192,6 @@ ExpectationCache with_other_sensors(const ExpectationCache& known, const pem::Ca
     return own;
 }
 
-/// How much of sleeper passing is more than the case's own compliance gives.
-double excess_share(const pem::CaseParameters& parameters) {
-    const double factor = parameters.sleeper_passing.amplitude_factor;
-    return factor > 1.0 ? (factor - 1.0) / factor : 0.0;
-}
-
 void add_excitation(const pem::CaseParameters& parameters, double speed, const ExpectationCache& parts, const FineGrid& grid, const recordings::WindowKernel& kernel,
                     const recordings::KernelWeights& weights, const pem::ContactDistortion& contacts, ExpectedSpectra& expected) {
     const std::vector<double> wheels = vehicle::wheel_positions(parameters.vehicle);
@@ -213,12 +206,10 @@ void add_excitation(const pem::CaseParameters& parameters, double speed, const E
         add_as_it_is(parts.transfers, source, wheels, speed, bin, expected);
     if (!parameters.wheels_own.empty()) add_wheels_own(parameters, parts.transfers, excitation.broadband.front(), wheels, speed, bin, expected);
     add_felt(parts.transfers, parts.felt, excitation.broadband.front(), wheels, speed, bin, expected);
-    // Of wheels out of round what supports make of them: lines of joints hardly stand above the irregularity, those of passing supports act on each other (feed_back_lines).
+    // Of wheels out of round what supports make of them; of joints, which hardly stand above the irregularity, what comes back at their own frequency; those of passing supports act on each other (feed_back_lines).
     for (const pem::LineSet& set : excitation.lines) {
         const bool modulated = set.name.starts_with("wheel_") && !parts.felt.empty();
-        add_lines(parameters, parts.transfers, modulated ? pem::felt_lines(parts.felt, set) : set, kernel, expected);
-        if (set.name != "sleeper_passing") continue;
-        for (const pem::LineSet& own : wheel_by_wheel(set, kInexactExcess * excess_share(parameters))) add_lines(parameters, parts.transfers, own, kernel, expected);
+        add_lines(parameters, set.name == "joints" ? parts.of_irregularity : parts.transfers, modulated ? pem::felt_lines(parts.felt, set) : set, kernel, expected);
     }
 }
 

@@ -199,16 +199,6 @@ void add_lines(const pem::CaseParameters& parameters, const pem::WheelTransfers&
     }
 }
 
-std::vector<pem::LineSet> wheel_by_wheel(const pem::LineSet& set, double share) {
-    std::vector<pem::LineSet> sets;
-    for (std::size_t wheel = 0; wheel < 4; ++wheel) {
-        sets.push_back(set);
-        for (pem::SpectralLine& line : sets.back().lines)
-            for (std::size_t j = 0; j < 4; ++j) line.amplitude_m[j] *= j == wheel ? share : 0.0;
-    }
-    return sets;
-}
-
 void add_sensor_noise(const pem::CaseParameters& parameters, const std::vector<ObservedChannel>& channels, double bin_hz,
                       ExpectedSpectra& expected) {
     for (const pem::SensorParameters& sensor : parameters.sensors)

@@ -58,9 +58,6 @@ void add_felt(const pem::WheelTransfers& transfers, const std::vector<pem::FeltO
 void add_lines(const pem::CaseParameters& parameters, const pem::WheelTransfers& transfers, const pem::LineSet& set,
                const recordings::WindowKernel& kernel, ExpectedSpectra& expected);
 
-/// `share` of a set's amplitudes under each wheel by itself, independent of the other wheels: one set per wheel.
-std::vector<pem::LineSet> wheel_by_wheel(const pem::LineSet& set, double share);
-
 /// Adds the noise that the case says its sensors add.
 void add_sensor_noise(const pem::CaseParameters& parameters, const std::vector<ObservedChannel>& channels, double bin_hz, ExpectedSpectra& expected);
 

@@ -133,23 +133,27 @@ std::array<std::complex<double>, 4> met(const DelayedSpectrum& source, const std
 
 TrackExcitation track_excitation(const CaseParameters& parameters, const std::vector<double>& wheels_m, double speed_m_per_s, const CoupledModel* model) {
     TrackExcitation track{.deflection = passing_lines(parameters, wheels_m, speed_m_per_s), .passing = {}, .failed = failed_fastener_amplitudes(parameters, wheels_m, speed_m_per_s),
-                          .wheel_load_n = wheel_load_n(parameters), .amplitude_factor = parameters.sleeper_passing.amplitude_factor};
+                          .wheel_load_n = wheel_load_n(parameters), .amplitude_factor = own_passing(parameters)};
     track.passing = track.deflection;
-    if (model && parameters.track.failed_fasteners.empty()) feed_back(parameters, *model, speed_m_per_s, track.passing);
+    if (excess_passing(parameters) > 0.0) track.excess = unit_excess_lines(parameters, wheels_m, speed_m_per_s);
+    if (model && parameters.track.failed_fasteners.empty())
+        for (auto* lines : {&track.passing, &track.excess}) feed_back(parameters, *model, speed_m_per_s, *lines);
     return track;
 }
 
 TrackExcitation with_other_vehicle(const TrackExcitation& known, const CaseParameters& parameters, const CoupledModel& model, double speed_m_per_s) {
     TrackExcitation own = rescaled(known, parameters);
     own.passing = own.deflection;
-    if (parameters.track.failed_fasteners.empty()) feed_back(parameters, model, speed_m_per_s, own.passing);
+    if (excess_passing(parameters) > 0.0) own.excess = unit_excess_lines(parameters, model.wheels_m, speed_m_per_s);
+    if (parameters.track.failed_fasteners.empty())
+        for (auto* lines : {&own.passing, &own.excess}) feed_back(parameters, model, speed_m_per_s, *lines);
     return own;
 }
 
 TrackExcitation rescaled(const TrackExcitation& known, const CaseParameters& parameters) {
     TrackExcitation own = known;
     own.wheel_load_n = wheel_load_n(parameters);
-    own.amplitude_factor = parameters.sleeper_passing.amplitude_factor;
+    own.amplitude_factor = own_passing(parameters);
     const double load = own.wheel_load_n / known.wheel_load_n;
     const auto& failed = parameters.track.failed_fasteners;
     const std::size_t period = failed.empty() ? 1 : static_cast<std::size_t>(std::max(1, failed.front().every));
@@ -159,6 +163,8 @@ TrackExcitation rescaled(const TrackExcitation& known, const CaseParameters& par
         for (auto* lines : {&own.passing, &own.deflection})
             for (auto& amplitude : (*lines)[i].amplitude_m) amplitude *= scale;
     }
+    for (SpectralLine& line : own.excess)
+        for (auto& amplitude : line.amplitude_m) amplitude *= load;
     if (known.failed) own.failed = [amplitudes = known.failed, load](double f) {
         std::array<std::complex<double>, 4> own_amplitudes = amplitudes(f);
         for (std::complex<double>& amplitude : own_amplitudes) amplitude *= load;
@@ -166,6 +172,21 @@ TrackExcitation rescaled(const TrackExcitation& known, const CaseParameters& par
     };
     return own;
 }
+
+namespace {
+
+/// The lines of a case's passing supports with what is in excess of them, in phase.
+std::vector<SpectralLine> all_passing(const CaseParameters& parameters, const std::vector<double>& wheels_m, double speed_m_per_s, const TrackExcitation& track) {
+    std::vector<SpectralLine> lines = track.passing;
+    const double excess = excess_passing(parameters);
+    if (excess <= 0.0) return lines;
+    const std::vector<SpectralLine> more = track.excess.empty() ? unit_excess_lines(parameters, wheels_m, speed_m_per_s) : track.excess;
+    for (std::size_t i = 0; i < std::min(lines.size(), more.size()); ++i)
+        for (std::size_t j = 0; j < 4; ++j) lines[i].amplitude_m[j] += excess * more[i].amplitude_m[j];
+    return lines;
+}
+
+}  // namespace
 
 Excitation excitation(const CaseParameters& parameters, const std::vector<double>& wheels_m, double speed_m_per_s, const TrackExcitation* known,
                       const CoupledModel* model) {
@@ -177,7 +198,7 @@ Excitation excitation(const CaseParameters& parameters, const std::vector<double
     for (const spectra::RailJoints& joints : parameters.irregularity.joints)
         all.lines.push_back({"joints", joint_lines(parameters, joints, wheels_m, speed_m_per_s)});
     add_wheel_lines(parameters, speed_m_per_s, all.lines);
-    if (!track.passing.empty()) all.lines.push_back({"sleeper_passing", std::move(track.passing)});
+    if (!track.passing.empty()) all.lines.push_back({"sleeper_passing", all_passing(parameters, wheels_m, speed_m_per_s, track)});
     return all;
 }
 

@@ -62,9 +62,10 @@ struct Excitation {
 struct TrackExcitation {
     std::vector<SpectralLine> deflection;          ///< passing_lines()
     std::vector<SpectralLine> passing;             ///< those with what their own forces do
+    std::vector<SpectralLine> excess;              ///< unit_excess_lines(), with the same; of no use without an excess, and empty
     std::function<std::array<std::complex<double>, 4>(double)> failed;  ///< failed_fastener_amplitudes()
     double wheel_load_n = 0.0;                     ///< under which they were computed
-    double amplitude_factor = 0.0;                 ///< sleeper_passing.amplitude_factor of then
+    double amplitude_factor = 0.0;                 ///< own_passing() of then
 };
 /// `model`: of the case at this speed; with it the lines of passing sleepers have what their own forces do (passing_feedback.hpp).
 TrackExcitation track_excitation(const CaseParameters& parameters, const std::vector<double>& wheels_m, double speed_m_per_s, const CoupledModel* model = nullptr);

@@ -175,16 +175,16 @@ std::array<Phasor, 4> felt(const Modulation& modulation, const ModulationTransfe
     return result;
 }
 
-void feed_back_lines(const CaseParameters& parameters, const ModulationTransfers& transfers, TrackExcitation& track, int sweeps) {
-    const std::vector<Modulation> orders = modulations(parameters, track, transfers, 0.0);  // +1, −1, +2, −2, …
-    const int highest = static_cast<int>(track.passing.size());
-    if (orders.size() != 2 * track.passing.size()) return;
-    const bool sound = parameters.track.failed_fasteners.empty();
-    const double line_hz = highest > 0 ? track.passing.front().frequency_hz : 0.0;
-    const std::vector<SpectralLine> alone = track.passing;
+namespace {
+
+/// Adds to `lines` what their forces make of each other.
+void settle(std::vector<SpectralLine>& lines, const std::vector<Modulation>& orders, const ModulationTransfers& transfers, bool sound, int sweeps) {
+    const int highest = static_cast<int>(lines.size());
+    const double line_hz = lines.front().frequency_hz;
+    const std::vector<SpectralLine> alone = lines;
     for (int sweep = 0; sweep < sweeps; ++sweep) {
         std::vector<std::array<Phasor, 4>> force;  // of the lines 1, 2, …
-        for (const SpectralLine& line : track.passing) force.push_back(forces_of(transfers, line.frequency_hz, line.amplitude_m));
+        for (const SpectralLine& line : lines) force.push_back(forces_of(transfers, line.frequency_hz, line.amplitude_m));
         for (int m = 1; m <= highest; ++m) {
             std::array<Phasor, 4> sum = alone[static_cast<std::size_t>(m - 1)].amplitude_m;
             for (int n = -highest; n <= highest; ++n) {
@@ -196,9 +196,18 @@ void feed_back_lines(const CaseParameters& parameters, const ModulationTransfers
                 const std::array<Phasor, 4> more = felt(orders[static_cast<std::size_t>(2 * (std::abs(order) - 1) + (order < 0 ? 1 : 0))], transfers, own, n * line_hz);
                 for (std::size_t wheel = 0; wheel < 4; ++wheel) sum[wheel] += more[wheel];
             }
-            track.passing[static_cast<std::size_t>(m - 1)].amplitude_m = sum;
+            lines[static_cast<std::size_t>(m - 1)].amplitude_m = sum;
         }
     }
+}
+
+}  // namespace
+
+void feed_back_lines(const CaseParameters& parameters, const ModulationTransfers& transfers, TrackExcitation& track, int sweeps) {
+    const std::vector<Modulation> orders = modulations(parameters, track, transfers, 0.0);  // +1, −1, +2, −2, …
+    const bool sound = parameters.track.failed_fasteners.empty();
+    for (auto* lines : {&track.passing, &track.excess})
+        if (!lines->empty() && orders.size() == 2 * lines->size()) settle(*lines, orders, transfers, sound, sweeps);
 }
 
 }  // namespace railpem::pem

@@ -87,16 +87,19 @@ struct Equation {
     std::vector<Phasor> shape, dashpot;
 };
 
+/// Of a rail under standing loads.
+BeamCoefficients still_beam(const TrackParameters& track) {
+    BeamCoefficients beam = beam_coefficients(track.rail, {}, Real{});
+    beam.bending.im = beam.shear_compliance.im = Real{};
+    beam.inertia = Complex(-kSoftBed_n_per_m2);
+    return beam;
+}
+
 Equation equation_of(const TrackParameters& track, const std::vector<double>& wheels_m, double wheel_load_n, double speed, bool standing, const Grid& grid,
                      const std::vector<Phasor>& swelling) {
     Equation equation;
     const double bay = 2.0 * std::numbers::pi / track.spacing_m;
-    const BeamCoefficients still = [&] {
-        BeamCoefficients beam = beam_coefficients(track.rail, {}, Real{});
-        beam.bending.im = beam.shear_compliance.im = Real{};
-        beam.inertia = Complex(-kSoftBed_n_per_m2);
-        return beam;
-    }();
+    const BeamCoefficients still = still_beam(track);
     std::vector<Phasor> turned(wheels_m.size(), 1.0), turn;  // e^{iκ(a + first)}
     for (const double wheel : wheels_m) turn.push_back(std::polar(1.0, grid.wavenumber_step() * (wheel + grid.first_m())));
     for (std::size_t first = 0; first < grid.wavenumbers(); first += lanes::width) {
@@ -229,7 +232,8 @@ PadHistory pad_history(const TrackParameters& track, const std::vector<double>& 
     return history;
 }
 
-std::vector<Phasor> rolling_deflection(const TrackParameters& track, const std::vector<double>& wheels_m, double speed, const PadHistory& history, int orders) {
+std::vector<Phasor> rolling_deflection(const TrackParameters& track, const std::vector<double>& wheels_m, double speed, const PadHistory& history, int orders, bool standing) {
+    const BeamCoefficients still = still_beam(track);
     const double bay = 2.0 * std::numbers::pi / track.spacing_m, step = history.wavenumber_step_per_m;
     const std::size_t wheels = wheels_m.size();
     std::vector<Phasor> result(static_cast<std::size_t>(orders) * wheels), turned(wheels, 1.0), turn;
@@ -244,7 +248,7 @@ std::vector<Phasor> rolling_deflection(const TrackParameters& track, const std::
             if (n < history.force_n_m.size()) force.set(lane, history.force_n_m[n] * (n == 0 ? 0.5 : 1.0));
             for (std::size_t wheel = 0; wheel < wheels; ++wheel) phase[wheel].set(lane, turned[wheel]), turned[wheel] *= turn[wheel];
         }
-        const BeamCoefficients beam = beam_coefficients(track.rail, track.rail_dampers, k * speed);
+        const BeamCoefficients beam = standing ? still : beam_coefficients(track.rail, track.rail_dampers, k * speed);
         for (int m = 1; m <= orders; ++m) {
             // Of −κ the conjugate: D(2πm/L + κ, −κv) = conj D(2πm/L + κ, κv).
             const Complex ahead = force / beam_stiffness(beam, m * bay - k), behind = force / beam_stiffness(beam, m * bay + k);

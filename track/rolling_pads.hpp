@@ -37,8 +37,9 @@ PadHistory pad_history(const TrackParameters& track, const std::vector<double>& 
 /// Deflection of the rail under each wheel, positive downwards: the coefficients of e^{i·2πm·vt/L}, m = 1 to `orders`, [(m − 1)·wheels + wheel], t = 0 where x = 0
 /// stands over a seat. `history` of the same track, wheels and speed.
 ///   c_m = −(1/L)·∫ e^{ik_m·a} f̃(κ)/D(k_m, κv) dκ/2π,  k_m = 2πm/L − κ
+/// `standing` as in pad_history(): under loads that stand at vt, one place after the other.
 std::vector<std::complex<double>> rolling_deflection(const TrackParameters& track, const std::vector<double>& wheels_m, double speed_m_per_s,
-                                                     const PadHistory& history, int orders);
+                                                     const PadHistory& history, int orders, bool standing = false);
 
 /// How the rail over the pad under one wheel that crawls answers to more load: w(P0 + F) = w(P0) + C·F + ½κF².
 struct LoadedDeflection {

@@ -100,16 +100,16 @@ TEST(Moving, SleeperPassingLine) {
     EXPECT_NEAR(line_rms(timoshenko, speed / 0.6), 0.62, 0.15 * 0.62);
 }
 
-/// rms at the axle box of wheel 1 that the solver has for a line of sleeper passing.
-double solved_line_rms(pem::CaseParameters c, double speed, int order = 1) {
+/// rms at an axle box that the solver has for a line of sleeper passing, of the case's own compliance unless it says more.
+double solved_line_rms(pem::CaseParameters c, double speed, int order = 1, int wheel = 1) {
     const double line_hz = order * speed / c.track.spacing_m;
-    c.sleeper_passing.amplitude_factor = 1.0;
+    if (c.sleeper_passing.amplitude_factor == 0.0) c.sleeper_passing.amplitude_factor = 1.0;
     c.solver.moving = true;
     c.running.speed_fluctuation = 1e-3;
     c.frequency = {.from_hz = line_hz - 1.0, .to_hz = line_hz + 1.0, .step_hz = 0.01};
     const pem::Solution solution = pem::solve_case(c, speed);
     const auto source = std::find(solution.source_names.begin(), solution.source_names.end(), "sleeper_passing") - solution.source_names.begin();
-    const std::complex<double>* line = solution.at(static_cast<std::size_t>(source), pem::response_index("wheel_1"));
+    const std::complex<double>* line = solution.at(static_cast<std::size_t>(source), pem::response_index("wheel_" + std::to_string(wheel)));
     double power = 0.0;
     for (std::size_t i = 0; i < solution.frequency_hz.size(); ++i) power += std::norm(line[i]) * c.frequency.step_hz;
     return std::sqrt(power);
@@ -130,6 +130,17 @@ TEST(Moving, SleeperPassingLineOfPadsThatLoadStiffensAndThatCreep) {
                 const double marched = line_rms(record, speed / 0.6);
                 EXPECT_NEAR(solved_line_rms(c, speed) / marched, 1.0, 0.005) << speed << " m/s, exponent " << exponent << ", preload " << preload;
             }
+}
+
+// What is in excess of the track's own compliance is alike under all wheels, which that under rolling wheels is not: the whole as rolling was 5 % too large at 38 m/s, and 1 % off between the wheels of a bogie.
+TEST(Moving, AnExcessOfSleeperPassing) {
+    for (const double speed : {15.0, 37.72}) {
+        auto c = paper_case(1);
+        c.sleeper_passing.amplitude_factor = 6.0;
+        const auto record = smooth_record(c, speed, 4);
+        for (const int wheel : {1, 2}) EXPECT_NEAR(solved_line_rms(c, speed, 1, wheel) / line_rms(record, speed / 0.6, static_cast<std::size_t>(wheel - 1)), 1.0, 0.005) << speed << " m/s, wheel " << wheel;
+        EXPECT_NEAR(solved_line_rms(c, speed, 2) / line_rms(record, 2.0 * speed / 0.6), 1.0, 0.02) << speed << " m/s";
+    }
 }
 
 // The force of the first line is felt again between the sleepers: left out, the second was 4 % too large. Elements of 0.15 m: of 0.3 m have a line of their own there.
