@@ -15,6 +15,7 @@
 #include "diagnosis/hold_out_recordings.hpp"
 #include "diagnosis/model_error.hpp"
 #include "diagnosis/set_trials.hpp"
+#include "diagnosis/verdict.hpp"
 #include "diagnosis/worth_refitting.hpp"
 
 namespace railpem::diagnosis {
@@ -59,7 +60,7 @@ class Search {
             first_round();
         }
         further_rounds(2);
-        if (!is_doubtful(trials_.leading())) {
+        if (!is_doubtful(trials_.leading()) && !is_trifling(trials_.leading())) {
             if (leaves_little()) return;
             if (trials_.leading().members() == 1 && left_over() < kMinor * (trials_.leading().score() - result_.retuned.score())) return;
         }

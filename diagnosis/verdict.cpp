@@ -60,13 +60,16 @@ bool is_at_weak_end(const EffectParameter& parameter, double coordinate) {
     return std::abs(coordinate - weak) < kAtTheEnd * (high - low);
 }
 
-/// A member is smaller than anybody would speak of: it makes up for what a law beside it is off by.
+}  // namespace
+
 bool is_trifling(const FittedSet& set) {
     for (std::size_t u = 0; u < set.fit.unknowns.size(); ++u)
         if (const EffectParameter* parameter = parameter_of(set.fit.unknowns[u]))
             if (std::abs(from_coordinate(*parameter, set.fit.values[u]) - parameter->nothing) < parameter->least || is_at_weak_end(*parameter, set.fit.values[u])) return true;
     return false;
 }
+
+namespace {
 
 constexpr double kLeastAddition = 1e-4;  ///< of the nats that the others explain: what is left where an amplitude is a hundredth off
 

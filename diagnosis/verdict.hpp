@@ -30,6 +30,9 @@ struct Decision {
 /// fit has seen has to agree. Probabilities and rivals are then those of the sets that are left. True when the best one was taken out.
 bool drop_superfluous(NamingResult& naming, const VerdictThresholds& thresholds);
 
+/// A member is smaller than anybody would speak of, or lies on the weak end of its range: it makes up for what a law beside it is off by.
+bool is_trifling(const FittedSet& set);
+
 /// A set needs a parameter beyond the range of its physics, by more than chance and than what its own law may leave; `nothing`: score of nothing added.
 bool leans(const FittedSet& set, double nothing);
 

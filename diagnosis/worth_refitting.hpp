@@ -14,10 +14,13 @@ using Starts = std::vector<Promise>;
 /// Nats of what replaces a law of the case that deserve a refit: its strength says nothing, for everything else settles anew around it.
 inline constexpr double kLeastReplacing = 30.0;
 
-/// Nats to first order for which a belief is worth giving up: what a wrong belief distorts is seen too small from there. Sleeper passing nine times as strong promised 3.3, and brought 26.
+/// Nats to first order for which a belief is worth giving up: what a wrong belief distorts is seen too small from there.
 inline constexpr double kLeastRelease = 3.0;
 
-/// What is worth a refit: at most `most` variants of `least` nats or more (of kLeastRelease, where an effect only gives up a belief), few per kind, few starting points per variant. `promises` as
+/// The same of an effect that only gives up a belief (Effect::retuned): sleeper passing nine times as strong promised 3.3 and brought 190, three times as strong 1.8. Its power grows with the square.
+inline constexpr double kLeastOfABelief = 1.5;
+
+/// What is worth a refit: at most `most` variants of `least` nats or more (of kLeastOfABelief, where an effect only gives up a belief), few per kind, few starting points per variant. `promises` as
 /// screen() sorts them.
 std::vector<Starts> worth_refitting(const std::vector<Promise>& promises, const std::vector<Candidate>& candidates, double least, int most);
 

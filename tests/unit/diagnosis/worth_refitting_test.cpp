@@ -40,7 +40,7 @@ TEST(WorthRefitting, NoMoreThanAskedAndNothingFaint) {
 // Retuning moves sleeper passing and the spectrum already, against what is believed of them: what is left of a promise there is what the belief costs.
 TEST(WorthRefitting, WhatOnlyGivesUpABeliefNeedsLess) {
     const std::vector<Candidate> candidates = {candidate("rail-damper", {}), candidate("sleeper-passing", {}), candidate("irregularity-spectrum", {})};
-    const std::vector<Promise> promises = {promise(0, 3.5), promise(1, 3.4), promise(2, 2.9)};
+    const std::vector<Promise> promises = {promise(0, 3.5), promise(1, 1.6), promise(2, 1.4)};
     EXPECT_EQ(labels(worth_refitting(promises, candidates, 7.0, 8), candidates), std::vector<std::string>{"sleeper-passing"});
 }
 
