@@ -1,6 +1,7 @@
 #include "diagnosis/hold_again.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <utility>
 
@@ -12,6 +13,8 @@ namespace {
 
 constexpr double kWithinReach = 20.0;  ///< nats behind the best within which a set may come forward under other forces; by judgement
 
+constexpr double kMostAway = 0.3;  ///< logarithm of a contact's number over what was believed: what it distorts is a third off then, two deviations of that belief
+
 bool is_of_contact(const EffectInstance& instance) { return element_of(*find_effect(instance.effect), instance) == Element::contact; }
 
 /// Values alone: predictions and derivatives were those of other forces.
@@ -19,10 +22,14 @@ Fit values_alone(const Fit& fit) { return {.trial = fit.trial, .unknowns = fit.u
 
 }  // namespace
 
-bool rests_on_held_forces(const NamingResult& naming) {
-    if (naming.sets.empty()) return false;
-    const std::vector<Candidate>& effects = naming.sets.front().effects;
-    return std::any_of(effects.begin(), effects.end(), [](const Candidate& own) { return is_of_contact(own.instance); });
+const FittedSet& best_of(const NamingResult& naming) { return naming.sets.empty() ? naming.retuned : naming.sets.front(); }
+
+bool rests_on_held_forces(const NamingResult& naming, const BelievedCase& believed) {
+    const FittedSet& best = best_of(naming);
+    if (std::any_of(best.effects.begin(), best.effects.end(), [](const Candidate& own) { return is_of_contact(own.instance); })) return true;
+    return std::any_of(believed.uncertain.begin(), believed.uncertain.end(), [&](const BelievedNumber& number) {
+        return element_of_key(number.key) == Element::contact && std::abs(std::log(believed.access.get(best.fit.trial.numbers, number.key) / number.value)) > kMostAway;
+    });
 }
 
 std::vector<Observation> held_again(const FittedSet& set, const BelievedCase& believed, const std::vector<Observation>& observations) {
@@ -44,10 +51,10 @@ void fit_again(NamingResult& naming, const BelievedCase& believed, const Likelih
     const FitOptions near{.from_far = false};
     const auto again = [&](const FittedSet& set, const std::vector<Candidate>& effects) { return fit_set(believed, values_alone(set.fit), effects, set.released, {}, context, near); };
     std::vector<FittedSet> sets;
-    const FittedSet& best = naming.sets.front();
+    const FittedSet best = best_of(naming);
     std::vector<Candidate> without = best.effects;
     std::erase_if(without, [](const Candidate& own) { return is_of_contact(own.instance); });
-    if (!without.empty() || !best.released.empty()) sets.push_back(again(best, without));
+    if (without.size() < best.effects.size() && (!without.empty() || !best.released.empty())) sets.push_back(again(best, without));
     for (const FittedSet& own : naming.sets)
         if (own.score() > best.score() - kWithinReach) sets.push_back(again(own, own.effects));
     naming.retuned = again(naming.retuned, {});
