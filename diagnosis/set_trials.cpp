@@ -87,14 +87,18 @@ void SetTrials::let_go() {
     }
 }
 
-const FittedSet& SetTrials::try_starts(const Fit& near, const Starts& starts, std::vector<Candidate> members, std::vector<std::string> released, double share) {
-    Started best = best_start(believed_, near, starts, result_.candidates, members, released, context_);
-    members.push_back(best.candidate);
-    // What replaces a law of the case begins far below it, however mild: it gets the way of the retuned case, blunt first.
-    const bool far = best.log_posterior < near.log_posterior - kFar;
+const FittedSet& SetTrials::try_starts(const Fit& near, const Starts& starts, const std::vector<Candidate>& members, const std::vector<std::string>& released, double share) {
     const std::size_t first = result_.sets.size();
-    try_set(best.near, std::move(members), std::move(released), share, far);
-    try_relatives(first, share);
+    for (const Starts& own : climbed_apart(starts, result_.candidates)) {
+        Started best = best_start(believed_, near, own, result_.candidates, members, released, context_);
+        std::vector<Candidate> with = members;
+        with.push_back(best.candidate);
+        // What replaces a law of the case begins far below it, however mild: it gets the way of the retuned case, blunt first.
+        const bool far = best.log_posterior < near.log_posterior - kFar;
+        const std::size_t here = result_.sets.size();
+        try_set(best.near, std::move(with), released, share, far);
+        try_relatives(here, share);
+    }
     const auto better = [](const FittedSet& a, const FittedSet& b) { return a.score() < b.score(); };
     for (std::size_t i = first; i < result_.sets.size(); ++i) refuse_noise(i, near, share);
     return *std::max_element(result_.sets.begin() + static_cast<long>(first), result_.sets.end(), better);

@@ -31,9 +31,9 @@ class SetTrials {
     /// Fits one set from a fit near it. `far`: with the likelihood blunted first, in few steps of each stage.
     const FittedSet& try_set(const Fit& near, std::vector<Candidate> members, std::vector<std::string> released, double share, bool far = false);
 
-    /// Fits the best start of a variant beside `members`; a comb of lines also from the best of the distances that share lines with it. The better. A comb that gains hardly more over `near` than
+    /// Fits the best start of a variant beside `members`; the best two distances of a comb of lines (climbed_apart()), and also from the best of the distances that share lines with it. The better. A comb that gains hardly more over `near` than
     /// its decoys (comb_decoys()) is a noise of its shape, and cannot be: its score is −∞.
-    const FittedSet& try_starts(const Fit& near, const Starts& starts, std::vector<Candidate> members, std::vector<std::string> released, double share);
+    const FittedSet& try_starts(const Fit& near, const Starts& starts, const std::vector<Candidate>& members, const std::vector<std::string>& released, double share);
 
     /// A fit of the best set of so many members that ran out of steps goes on: what it has left to gain would be put down to the next member.
     void finish_best(std::size_t members);

@@ -47,6 +47,15 @@ std::vector<Starts> worth_refitting(const std::vector<Promise>& promises, const 
     return chosen;
 }
 
+std::vector<Starts> climbed_apart(const Starts& starts, const std::vector<Candidate>& candidates) {
+    constexpr std::size_t kDistances = 2;
+    const std::vector<EffectParameter>& parameters = find_effect(candidates[starts.front().candidate].instance.effect)->parameters;
+    if (std::none_of(parameters.begin(), parameters.end(), [](const EffectParameter& own) { return own.comb; })) return {starts};
+    std::vector<Starts> apart;
+    for (std::size_t i = 0; i < std::min(kDistances, starts.size()); ++i) apart.push_back({starts[i]});
+    return apart;
+}
+
 void add_replacing(const std::vector<Promise>& promises, const std::vector<Candidate>& candidates, const std::vector<std::string>& released, std::vector<Starts>& chosen) {
     const auto element = [&](const Promise& promise) {
         const EffectInstance& instance = candidates[promise.candidate].instance;

@@ -54,6 +54,15 @@ TEST(WorthRefitting, GridPointsOfAVariantGoTogether) {
     EXPECT_EQ(chosen.front().size(), 3U);
 }
 
+// Joints every 12 m began 3 nats behind those every 25 m, and were never climbed.
+TEST(WorthRefitting, DistancesOfACombAreClimbedApart) {
+    const std::vector<Candidate> candidates = {candidate("rail-joints", {}), candidate("rail-joints", {}), candidate("rail-joints", {}), candidate("rail-damper", {})};
+    const auto apart = climbed_apart({promise(0, 13.0), promise(1, 8.0), promise(2, 7.5)}, candidates);
+    ASSERT_EQ(apart.size(), 2U);
+    EXPECT_EQ(apart[1].front().candidate, 1U);
+    EXPECT_EQ(climbed_apart({promise(3, 9.0), promise(3, 8.0)}, candidates).size(), 1U) << "grid points of anything else compete";
+}
+
 // A rail that shears looks like one that bends more easily: the number was released, and the law never tried.
 TEST(WorthRefitting, ANumberWorthReleasingSpeaksForTheLawOfItsPlace) {
     const std::vector<Candidate> candidates = {candidate("rail-shear", {}), candidate("pad-hysteresis", {})};
