@@ -46,6 +46,17 @@ TEST(HoldAgain, ForcesGoWithTheMassThatWasFound) {
     EXPECT_NEAR(ratio, kHeavier, 0.15 * kHeavier) << "the suspension's own force is the rest";
 }
 
+// What a contact distorts goes with its own compliance: one that retuning finds a third off is held again, with or without a name.
+TEST(HoldAgain, AContactThatIsAThirdOffWasHeldAsAnother) {
+    const BelievedCase believed = paper_believed({"contact.constant_m_per_n23"});
+    for (const auto& [factor, rests] : {std::pair(1.2, false), std::pair(1.5, true), std::pair(0.6, true)}) {
+        NamingResult naming;
+        naming.retuned.fit.trial.numbers = believed.numbers;
+        believed.access.set(naming.retuned.fit.trial.numbers, "contact.constant_m_per_n23", factor * believed.uncertain.front().value);
+        EXPECT_EQ(rests_on_held_forces(naming, believed), rests) << factor;
+    }
+}
+
 // Marched such a record was `explained` by both.
 TEST(HoldAgain, AContactThatSeemedToBendMoreIsHertz) {
     const Synthesised made = heavier_wheelsets();
