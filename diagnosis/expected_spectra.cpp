@@ -206,10 +206,10 @@ void add_excitation(const pem::CaseParameters& parameters, double speed, const E
         add_as_it_is(parts.transfers, source, wheels, speed, bin, expected);
     if (!parameters.wheels_own.empty()) add_wheels_own(parameters, parts.transfers, excitation.broadband.front(), wheels, speed, bin, expected);
     add_felt(parts.transfers, parts.felt, excitation.broadband.front(), wheels, speed, bin, expected);
-    // Of wheels out of round what supports make of them; of joints, which hardly stand above the irregularity, what comes back at their own frequency; those of passing supports act on each other (feed_back_lines).
+    // Of wheels out of round what supports make of them: lines of joints hardly stand above the irregularity, those of passing supports act on each other (feed_back_lines).
     for (const pem::LineSet& set : excitation.lines) {
         const bool modulated = set.name.starts_with("wheel_") && !parts.felt.empty();
-        add_lines(parameters, set.name == "joints" ? parts.of_irregularity : parts.transfers, modulated ? pem::felt_lines(parts.felt, set) : set, kernel, expected);
+        add_lines(parameters, parts.transfers, modulated ? pem::felt_lines(parts.felt, set) : set, kernel, expected);
     }
 }
 

@@ -37,7 +37,7 @@ EffectInstance strong(const Effect& effect, EffectInstance instance) {
     return instance;
 }
 
-/// Near the ends of the ranges of every parameter but the tuned, in all combinations: a light sleeper on stiff ballast that hardly damps was not found from either end of one of them.
+/// Near the ends of all ranges, in every combination: a light sleeper on stiff ballast that hardly damps was not found from either end of one of them.
 std::vector<EffectInstance> corners(const Effect& effect, const EffectInstance& typical) {
     std::vector<EffectInstance> corners{typical};
     for (const EffectParameter& parameter : effect.parameters) {
