@@ -99,7 +99,7 @@ State state_at(const Trial& base, const std::vector<Unknown>& unknowns, std::vec
 
 Normal normal_equations(const State& state, const std::vector<Unknown>& unknowns, const std::vector<PredictionDerivative>& derivatives, const LikelihoodContext& context) {
     const LikelihoodSlope slope = likelihood_slope(state.trial, unknowns, state.predictions, derivatives, context);
-    Normal normal{.gradient = slope.gradient, .curvature = slope.information, .information = slope.information};
+    Normal normal{.log_likelihood = slope.log_likelihood, .gradient = slope.gradient, .curvature = slope.information, .information = slope.information};
     for (std::size_t i = 0; i < unknowns.size(); ++i) {
         const double weight = 1.0 / (unknowns[i].deviation * unknowns[i].deviation);
         normal.gradient(static_cast<long>(i)) -= weight * (state.values[i] - unknowns[i].mean);
@@ -109,19 +109,25 @@ Normal normal_equations(const State& state, const std::vector<Unknown>& unknowns
 }
 
 void settle(const std::vector<Unknown>& unknowns, const LikelihoodContext& context, State& state) {
+    Normal normal = normal_equations(state, unknowns, {}, context);
     for (int i = 0; i < kSettleIterations; ++i) {
-        Normal normal = normal_equations(state, unknowns, {}, context);
         for (std::size_t u = 0; u < unknowns.size(); ++u)
             if (!is_diagonal(unknowns[u])) normal.gradient(static_cast<long>(u)) = 0.0;
         const Eigen::VectorXd step = damped_step(normal, state, unknowns, 0.0);
         if (promise_of(normal, step) < kWorthSettling) return;
+        Trial before = state.trial;
         std::vector<double> values = moved(state, step);
-        Trial trial = state.trial;
-        set_values(trial, unknowns, values);
-        const double own = log_likelihood(trial, state.predictions, context), posterior = own + log_belief(unknowns, values);
-        if (!(posterior > state.log_posterior)) return;
-        state.trial = std::move(trial);
-        state.values = std::move(values);
+        std::swap(state.values, values);
+        set_values(state.trial, unknowns, state.values);
+        // The slope says how probable it is along with the next step, which all but the last have.
+        const bool last = i + 1 == kSettleIterations;
+        if (!last) normal = normal_equations(state, unknowns, {}, context);
+        const double own = last ? log_likelihood(state.trial, state.predictions, context) : normal.log_likelihood, posterior = own + log_belief(unknowns, state.values);
+        if (!(posterior > state.log_posterior)) {
+            state.trial = std::move(before);
+            state.values = std::move(values);
+            return;
+        }
         state.log_likelihood = own;
         state.log_posterior = posterior;
     }
@@ -202,7 +208,7 @@ class Climb {
         gained_ = gain;
         promised_ = promise;
         damping_ = std::max(damping_ / 10.0, kLeastDamping);
-        carry(slopes_.values, state_.predictions.spectra, next.predictions.spectra);
+        carry(slopes_.values, state_.predictions.spectra, next.predictions.spectra, context_);
         slopes_.trusted = gain > kKept * promise && kKept * gain < promise && ++slopes_.carried < kMostCarried;
         state_ = std::move(next);
         if (promise > kWorthSettling) settle(unknowns_, held_, state_);

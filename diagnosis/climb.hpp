@@ -36,6 +36,7 @@ void settle(const std::vector<Unknown>& unknowns, const LikelihoodContext& conte
 
 /// Second-order picture of the log-posterior.
 struct Normal {
+    double log_likelihood = 0.0;
     Eigen::VectorXd gradient;
     Eigen::MatrixXd curvature;    ///< F + D⁻²
     Eigen::MatrixXd information;  ///< F

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <exception>
 #include <map>
+#include <utility>
 
 #include "diagnosis/irregularity_derivatives.hpp"
 #include "diagnosis/reuse.hpp"
@@ -87,17 +88,47 @@ std::vector<PredictionDerivative> differentiate(const Trial& trial, const std::v
     return derivatives;
 }
 
-void carry(std::vector<PredictionDerivative>& derivatives, const std::vector<ExpectedSpectra>& from, const std::vector<ExpectedSpectra>& to) {
+namespace {
+
+/// `known` with every channel's amplitude changed by its ratio; `scaled` may be `known`.
+void scale(const PredictionDerivative& known, const std::vector<std::vector<double>>& ratios, const std::vector<ExpectedSpectra>& from, PredictionDerivative& scaled) {
+    const std::vector<double>& ratio = ratios[static_cast<std::size_t>(known.observation)];
+    const std::size_t size = from[static_cast<std::size_t>(known.observation)].channels;
+    scaled.values.resize(known.values.size());
+    if (size == 0 || known.values.empty()) return static_cast<void>(scaled.values = known.values);
+    for (std::size_t b = 0; b * size < ratio.size(); ++b)
+        for (std::size_t j = 0; j < size; ++j) {
+            const std::size_t at = (b * size + j) * size;
+            for (std::size_t i = 0; i < size; ++i) scaled.values[at + i] = known.values[at + i] * (ratio[b * size + i] * ratio[b * size + j]);
+        }
+}
+
+std::vector<std::vector<double>> ratios_of(const std::vector<ExpectedSpectra>& from, const std::vector<ExpectedSpectra>& to) {
     std::vector<std::vector<double>> ratios;
     for (std::size_t o = 0; o < from.size(); ++o) ratios.push_back(amplitude_ratios(from[o], to[o]));
-    for (PredictionDerivative& own : derivatives) {
-        const std::vector<double>& ratio = ratios[static_cast<std::size_t>(own.observation)];
-        const std::size_t size = from[static_cast<std::size_t>(own.observation)].channels;
-        if (size == 0 || own.values.empty()) continue;
-        for (std::size_t b = 0; b * size < ratio.size(); ++b)
-            for (std::size_t j = 0; j < size; ++j)
-                for (std::size_t i = 0; i < size; ++i) own.values[(b * size + j) * size + i] *= ratio[b * size + i] * ratio[b * size + j];
+    return ratios;
+}
+
+/// Derivatives of the unknowns that stand beside them, carried on.
+std::vector<PredictionDerivative> carried_on(const std::vector<std::pair<const PredictionDerivative*, int>>& known, const std::vector<ExpectedSpectra>& from, const std::vector<ExpectedSpectra>& to,
+                                             const LikelihoodContext& context) {
+    const std::vector<std::vector<double>> ratios = ratios_of(from, to);
+    std::vector<PredictionDerivative> result(known.size());
+#pragma omp parallel for schedule(dynamic, 4) num_threads(pem::thread_count(context.threads))
+    for (std::size_t d = 0; d < known.size(); ++d) {
+        result[d].observation = known[d].first->observation;
+        result[d].unknown = known[d].second;
+        scale(*known[d].first, ratios, from, result[d]);
     }
+    return result;
+}
+
+}  // namespace
+
+void carry(std::vector<PredictionDerivative>& derivatives, const std::vector<ExpectedSpectra>& from, const std::vector<ExpectedSpectra>& to, const LikelihoodContext& context) {
+    const std::vector<std::vector<double>> ratios = ratios_of(from, to);
+#pragma omp parallel for schedule(dynamic, 4) num_threads(pem::thread_count(context.threads))
+    for (std::size_t d = 0; d < derivatives.size(); ++d) scale(derivatives[d], ratios, from, derivatives[d]);
 }
 
 std::vector<PredictionDerivative> derivatives_near(const Derivatives& known, const Trial& trial, const std::vector<Unknown>& unknowns, const std::vector<double>& values,
@@ -105,7 +136,7 @@ std::vector<PredictionDerivative> derivatives_near(const Derivatives& known, con
     std::map<std::string, std::vector<const PredictionDerivative*>> of_name;
     for (const std::string& name : known.names) of_name[name];
     for (const PredictionDerivative& own : known.values) of_name[known.names[static_cast<std::size_t>(own.unknown)]].push_back(&own);
-    std::vector<PredictionDerivative> result;
+    std::vector<std::pair<const PredictionDerivative*, int>> carried;  // and the unknown that it is of
     std::vector<Unknown> others;
     std::vector<double> other_values;
     std::vector<int> other_places;
@@ -117,9 +148,9 @@ std::vector<PredictionDerivative> derivatives_near(const Derivatives& known, con
             other_places.push_back(static_cast<int>(u));
             continue;
         }
-        for (const PredictionDerivative* own : found->second) result.push_back({own->observation, static_cast<int>(u), own->values});
+        for (const PredictionDerivative* own : found->second) carried.emplace_back(own, static_cast<int>(u));
     }
-    carry(result, known.at, predictions.spectra);
+    std::vector<PredictionDerivative> result = carried_on(carried, known.at, predictions.spectra, context);
     for (PredictionDerivative& own : differentiate(trial, others, other_values, predictions, context)) {
         own.unknown = other_places[static_cast<std::size_t>(own.unknown)];
         result.push_back(std::move(own));

@@ -21,7 +21,7 @@ struct Derivatives {
 
 /// Derivatives at one prediction in the place of those at another: each in proportion to the amplitudes of its two channels. Exact where all that has
 /// changed is the power of channels (the irregularity's level), near where little has. Values of scalar recordings stay.
-void carry(std::vector<PredictionDerivative>& derivatives, const std::vector<ExpectedSpectra>& from, const std::vector<ExpectedSpectra>& to);
+void carry(std::vector<PredictionDerivative>& derivatives, const std::vector<ExpectedSpectra>& from, const std::vector<ExpectedSpectra>& to, const LikelihoodContext& context);
 
 /// Derivatives for a trial near that of `known`: carried for the unknowns of retuning that it knows, anew for the others (effects and free corrections
 /// always: two members may share a name). `known.at` and `predictions` are of the same observations.

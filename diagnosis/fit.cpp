@@ -159,7 +159,7 @@ class Fitting {
     void choose_width() {
         const std::vector<ExpectedSpectra> before = state_.predictions.spectra;
         diagnosis::choose_width(base_, unknowns_, context_, state_);
-        carry(slopes_.values, before, state_.predictions.spectra);
+        carry(slopes_.values, before, state_.predictions.spectra, context_);
         slopes_.carried = std::max(slopes_.carried, 1);
     }
 
@@ -219,7 +219,7 @@ class Fitting {
 
 }  // namespace
 
-Approach approach(const Trial& base, const std::vector<Unknown>& unknowns, std::vector<double> start, const Derivatives& near, const LikelihoodContext& context) {
+Approach approach(const Trial& base, const std::vector<Unknown>& unknowns, std::vector<double> start, const Derivatives& near, const LikelihoodContext& context, double rival) {
     State state = state_at(base, unknowns, std::move(start), context);
     if (!state.possible()) return {-std::numeric_limits<double>::infinity(), std::move(state.values)};
     Slopes slopes{derivatives_near(near, state.trial, unknowns, state.values, state.predictions, context), 1, true};
@@ -227,7 +227,7 @@ Approach approach(const Trial& base, const std::vector<Unknown>& unknowns, std::
     double damping = kFirstDamping;
     int iterations = 0;
     Normal unused;
-    climb(base, unknowns, context, {.least_gain = kStageGain, .most = 0, .sharp = false}, damping, state, slopes, iterations, unused);
+    climb(base, unknowns, context, {.least_gain = kStageGain, .most = 0, .rival = rival, .sharp = false}, damping, state, slopes, iterations, unused);
     return {state.log_posterior, std::move(state.values)};
 }
 

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -47,11 +48,13 @@ struct Fit {
 double log_posterior_at(const Trial& base, const std::vector<Unknown>& unknowns, std::vector<double> values, const LikelihoodContext& context);
 
 /// Where a climb ends that goes by derivatives taken `near` the start (of retuning; those of an effect are taken anew), as long as its steps bring what they promise; −∞ where physics forbids the start.
+/// It is given up where it cannot come near the log-posterior of a `rival`, and stands lower then.
 struct Approach {
     double log_posterior = 0.0;
     std::vector<double> values;
 };
-Approach approach(const Trial& base, const std::vector<Unknown>& unknowns, std::vector<double> start, const Derivatives& near, const LikelihoodContext& context);
+Approach approach(const Trial& base, const std::vector<Unknown>& unknowns, std::vector<double> start, const Derivatives& near, const LikelihoodContext& context,
+                  double rival = -std::numeric_limits<double>::infinity());
 
 /// Fits `unknowns` from `start` by Fisher scoring with Levenberg damping within the bounds. From a start that physics forbids there is no fit: its logarithms are
 /// −∞, predictions and covariance empty.

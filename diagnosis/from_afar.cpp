@@ -1,6 +1,7 @@
 #include "diagnosis/from_afar.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <string>
 #include <utility>
@@ -106,16 +107,17 @@ std::vector<Start> approached(const BelievedCase& believed, const Fit& without, 
         Start own{.set = members, .near = {}};
         own.set.push_back(candidate);
         Supposition supposed = suppose(believed, without, own.set, {}, {}, blunt);
-        Approach there = approach(supposed.trial, supposed.unknowns, std::move(supposed.start), *without.derivatives, blunt);
+        const double rival = starts.size() < kClimbed ? -std::numeric_limits<double>::infinity() : starts.back().near.log_posterior;
+        Approach there = approach(supposed.trial, supposed.unknowns, std::move(supposed.start), *without.derivatives, blunt, rival);
         own.near.trial = std::move(supposed.trial);
         own.near.unknowns = std::move(supposed.unknowns);
         own.near.values = std::move(there.values);
         own.near.log_posterior = there.log_posterior;
         own.near.derivatives = without.derivatives;
         starts.push_back(std::move(own));
+        std::stable_sort(starts.begin(), starts.end(), [](const Start& a, const Start& b) { return a.near.log_posterior > b.near.log_posterior; });
+        if (starts.size() > kClimbed) starts.pop_back();
     }
-    std::stable_sort(starts.begin(), starts.end(), [](const Start& a, const Start& b) { return a.near.log_posterior > b.near.log_posterior; });
-    if (starts.size() > kClimbed) starts.erase(starts.begin() + static_cast<long>(kClimbed), starts.end());
     return starts;
 }
 

@@ -22,6 +22,9 @@ void set_zero(SplitMatrix& matrix, std::size_t size);
 /// where the matrix is not definite. Above the diagonal `inverse` is zero.
 double invert_factor(SplitMatrix& model, std::size_t size, SplitMatrix& inverse);
 
+/// log det alone.
+double log_determinant(SplitMatrix& model, std::size_t size);
+
 /// L⁻¹HL⁻ᴴ of a Hermitian H given in full; only the lower triangle of `result` is meant.
 void sandwich(const SplitMatrix& inverse, const SplitMatrix& hermitian, std::size_t size, SplitMatrix& result);
 

@@ -34,8 +34,8 @@ void split(const std::complex<double>* values, std::size_t size, SplitMatrix& ma
 /// is far too coherent, Fisher's information is not the curvature, and steps that it proposes overshoot.
 void blunt(Parts& parts, double least_floor) {
     for (std::size_t c = 0; c < parts.size; ++c) parts.estimate.re[c][c] *= 1.0 + least_floor * least_floor;
-    SplitMatrix lower = parts.estimate, inverse;
-    const double own = invert_factor(lower, parts.size, inverse);
+    SplitMatrix lower = parts.estimate;
+    const double own = log_determinant(lower, parts.size);
     parts.log_determinant = std::isnan(own) ? 0.0 : own;
 }
 
