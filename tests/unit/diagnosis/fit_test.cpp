@@ -43,6 +43,26 @@ TEST(Fit, FromAStartThatPhysicsForbidsIsNone) {
     }
 }
 
+// From the means, with a rival that nothing reaches: the way ends after the first step, below where it leads otherwise; a rival far below changes nothing.
+TEST(Fit, AnApproachIsGivenUpBehindARival) {
+    Synthesised made = small();
+    made.draw(5);
+    const std::vector<Unknown> unknowns = unknowns_of(made);
+    std::vector<double> values = means(unknowns);
+    for (std::size_t i = 0; i < unknowns.size(); ++i)
+        if (unknowns[i].kind == UnknownKind::number) values[i] += 2.0 * unknowns[i].deviation;
+    Trial trial = believed_trial(made.believed, made.observations);
+    set_values(trial, unknowns, values);
+    const Predictions there = predict(trial, made.context());
+    Derivatives near{.values = differentiate(trial, unknowns, values, there, made.context()), .at = there.spectra};
+    for (const Unknown& unknown : unknowns) near.names.push_back(unknown.name);
+    const auto reached = [&](double rival) { return approach(trial, unknowns, values, near, made.context(), rival).log_posterior; };
+    const double start = log_posterior_at(trial, unknowns, values, made.context()), free = approach(trial, unknowns, values, near, made.context()).log_posterior;
+    EXPECT_GT(free, start);
+    EXPECT_EQ(reached(free - 1e6), free);
+    EXPECT_LT(reached(free + 1e9), free);
+}
+
 TEST(Fit, ParametersOfANullComeBack) {
     Synthesised made = small();
     made.observations = made.shapes;
