@@ -306,6 +306,8 @@ class WritingUp {
                 if (parameter.nats_against_one_value > bearable)
                     result_.remains.push_back(fmt::format("{} of {} would have to be another in each recording ({:.0f} nats): another physics imitates it, or something of it has no name here", parameter.name,
                                                           effect.instance.effect, parameter.nats_against_one_value));
+        for (const NamedEffect& effect : result_.omitted)
+            if (const std::string& open = find_effect(effect.instance.effect)->not_told; !open.empty()) result_.remains.push_back(effect.instance.effect + ": " + open);
         for (const std::string& said : wheel_unloading(named_.fit.trial, believed_, observations_)) result_.remains.push_back(said);
     }
 

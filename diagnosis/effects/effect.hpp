@@ -79,6 +79,7 @@ struct Effect {
     std::vector<Element> elements;  ///< where it sits; several when a choice decides
     std::vector<Band> bands;
     std::string mimics;  ///< what looks like it, and what would tell them apart
+    std::string not_told = {};  ///< what of its law no recording of the usual kind tells: said wherever it is named
     bool abrupt = false;    ///< in its range it is never slight: screening looks at typical values instead of near nothing
     int most_instances = 1;   ///< of one variant in a set
     bool approximate = false; ///< its law is an approximation (linearised about the level of vibration, or one that nothing in time obeys): part of it stays unexplained

@@ -31,6 +31,9 @@ Effect suspension_friction() {
         .mimics =
             "A stronger damper of that stage (parameter-error) at one level of excitation; a rougher section, or "
             "another speed, changes the equivalent damping of friction and leaves a damper as it is.",
+        .not_told =
+            "whether it holds more at rest than it slides with (stick-slip): both damp alike, and the force named is "
+            "then 1.3 to 2 times that of sliding; runs at very different levels of vibration would show it",
         .approximate = true,
         .obstacle = {},
         .apply =
