@@ -94,8 +94,8 @@ namespace {
 void scale(const PredictionDerivative& known, const std::vector<std::vector<double>>& ratios, const std::vector<ExpectedSpectra>& from, PredictionDerivative& scaled) {
     const std::vector<double>& ratio = ratios[static_cast<std::size_t>(known.observation)];
     const std::size_t size = from[static_cast<std::size_t>(known.observation)].channels;
-    scaled.values.resize(known.values.size());
     if (size == 0 || known.values.empty()) return static_cast<void>(scaled.values = known.values);
+    scaled.values.resize(known.values.size());
     for (std::size_t b = 0; b * size < ratio.size(); ++b)
         for (std::size_t j = 0; j < size; ++j) {
             const std::size_t at = (b * size + j) * size;
@@ -114,12 +114,17 @@ std::vector<PredictionDerivative> carried_on(const std::vector<std::pair<const P
                                              const LikelihoodContext& context) {
     const std::vector<std::vector<double>> ratios = ratios_of(from, to);
     std::vector<PredictionDerivative> result(known.size());
+    std::exception_ptr failure;  // without memory, say
 #pragma omp parallel for schedule(dynamic, 4) num_threads(pem::thread_count(context.threads))
-    for (std::size_t d = 0; d < known.size(); ++d) {
-        result[d].observation = known[d].first->observation;
-        result[d].unknown = known[d].second;
-        scale(*known[d].first, ratios, from, result[d]);
-    }
+    for (std::size_t d = 0; d < known.size(); ++d) try {
+            result[d].observation = known[d].first->observation;
+            result[d].unknown = known[d].second;
+            scale(*known[d].first, ratios, from, result[d]);
+        } catch (...) {
+#pragma omp critical(railpem_predict)
+            failure = std::current_exception();
+        }
+    if (failure) std::rethrow_exception(failure);
     return result;
 }
 

@@ -43,7 +43,7 @@ TEST(Fit, FromAStartThatPhysicsForbidsIsNone) {
     }
 }
 
-// From the means, with a rival that nothing reaches: the way ends after the first step, below where it leads otherwise; a rival far below changes nothing.
+// From two deviations beside the means, with a rival that nothing reaches: the way ends after the first step, below where it leads otherwise; a rival far below changes nothing.
 TEST(Fit, AnApproachIsGivenUpBehindARival) {
     Synthesised made = small();
     made.draw(5);
