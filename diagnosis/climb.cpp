@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "diagnosis/bounded_step.hpp"
+#include "diagnosis/scalar_likelihood.hpp"
 #include "parameters/parameter_error.hpp"
 
 namespace railpem::diagnosis {
@@ -150,10 +151,10 @@ class Climb {
     /// The likelihood with the processes of every bin as the state has them: its slope takes them as given, and a likelihood in which they move has its top elsewhere. Promises of 15 nats
     /// were not kept where a law is an approximation.
     void hold() {
-        held_.processes = nullptr;
-        counts_ = process_counts(state_.trial, state_.predictions, held_);
-        held_.processes = &counts_;
-        weigh(unknowns_, held_, state_);
+        powers_ = bin_powers(state_.trial, state_.predictions, held_);
+        held_.powers = &powers_;
+        state_.log_likelihood = powers_.log_likelihood + scalar_log_likelihood(state_.trial, state_.predictions, held_);
+        state_.log_posterior = state_.log_likelihood + log_belief(unknowns_, state_.values);
     }
 
     std::optional<End> steps(Normal& last) {
@@ -218,7 +219,7 @@ class Climb {
     const std::vector<Unknown>& unknowns_;
     const LikelihoodContext& context_;
     LikelihoodContext held_;
-    ProcessCounts counts_;
+    BinPowers powers_;
     const ClimbOptions& options_;
     double& damping_;
     State& state_;

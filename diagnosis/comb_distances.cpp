@@ -57,7 +57,7 @@ LineScores line_scores(const Fit& fit, const LikelihoodContext& context, std::si
             wave[c] = 0.0;
             for (std::size_t j = 0; j < 4; ++j) wave[c] += at[c * 4 + j] * pem::delay_phase(wheels, j, frequency, scores.speed_m_per_s);
         }
-        whiten(fit.trial, observation, o, fit.predictions[o], data, bin, context.least_floor, 0.0, white);
+        whiten(fit.trial, observation, o, fit.predictions[o], data, bin, context.least_floor, nullptr, white);
         double gradient = 0.0, information = 0.0;
         if (std::isfinite(white.log_likelihood)) {
             for (std::size_t i = 0; i < size; ++i) {

@@ -15,6 +15,7 @@ namespace {
 constexpr double kBluntFloor = 0.1;
 constexpr const char* kTuned = "frequency_hz";
 constexpr std::size_t kClimbed = 2;         ///< of the starts, those most probable once the numbers have followed them
+constexpr std::size_t kEvery = 3;           ///< of the bins, in which starts are compared: what is not near the top yet is not told apart by neighbours
 constexpr int kBluntIterations = 2;
 constexpr int kFurtherBluntIterations = 6;  ///< of an effect's best start, and of the case without it
 constexpr std::size_t kBluntCorrections = 3;  ///< places whose free correction is fitted bluntly
@@ -161,8 +162,10 @@ std::vector<FittedSet> blunt_from_afar(const BelievedCase& believed, const Fit& 
     const LikelihoodContext blunt = blunted(context, kBluntFloor);
     const Fit without = fit_set(believed, near, members, {}, {}, blunt, {.iterations = kFurtherBluntIterations, .from_far = false}).fit;
     if (!without.derivatives) return {};  // physics forbids the members as they stand
+    LikelihoodContext sparse = blunt;
+    sparse.every = kEvery;
     std::vector<std::vector<Start>> starts;
-    for (const std::vector<Candidate>& own : variants) starts.push_back(approached(believed, without, members, own, blunt, between));
+    for (const std::vector<Candidate>& own : variants) starts.push_back(approached(believed, without, members, own, sparse, between));
     const auto height = [](const std::vector<Start>& own) { return own.front().near.log_posterior; };
     std::stable_sort(starts.begin(), starts.end(), [&](const auto& a, const auto& b) { return height(a) > height(b); });
     std::vector<FittedSet> sets;

@@ -23,7 +23,10 @@ constexpr std::size_t kChunkBins = 64;  ///< bins summed at a time, so that sums
 
 int thread_count(const LikelihoodContext& context) { return pem::thread_count(context.threads); }
 
-double known_processes(const LikelihoodContext& context, std::size_t observation, std::size_t bin) { return context.processes ? (*context.processes)[observation][bin] : 0.0; }
+const BinPower* known_power(const LikelihoodContext& context, std::size_t observation, std::size_t bin) { return context.powers ? &context.powers->at[observation][bin] : nullptr; }
+
+/// Averages that a bin speaks for.
+double weight_of(const LikelihoodContext& context, const MeasuredSpectra& data) { return static_cast<double>(context.every) * data.averages; }
 
 /// Bins of an observation that are summed together.
 struct Chunk {
@@ -98,9 +101,10 @@ LikelihoodSlope chunk_slope(const Chunk& chunk, const Trial& trial, const std::v
     LikelihoodSlope slope;
     std::vector<double> diagonal(size);
     WhitenedBin white;
-    for (std::size_t bin = chunk.first; bin < chunk.first + chunk.count; ++bin) {
-        whiten(trial, observation, o, predictions[o], data, bin, context.least_floor, known_processes(context, o, bin), white);
-        slope.log_likelihood += data.averages * white.log_likelihood;
+    const double weight = weight_of(context, data);
+    for (std::size_t bin = chunk.first; bin < chunk.first + chunk.count; bin += context.every) {
+        whiten(trial, observation, o, predictions[o], data, bin, context.least_floor, known_power(context, o, bin), white);
+        slope.log_likelihood += weight * white.log_likelihood;
         if (!std::isfinite(white.log_likelihood)) continue;
         const std::array<double, kFloorGroups> floors = floors_at(trial, observation.frequency(bin), context.least_floor);
         for (std::size_t c = 0; c < size; ++c) diagonal[c] = 1.0 + floors[floor_group(observation.channels[c].response)];  // the floor grows with the prediction
@@ -113,7 +117,7 @@ LikelihoodSlope chunk_slope(const Chunk& chunk, const Trial& trial, const std::v
     const long count = static_cast<long>(own.size());
     Eigen::VectorXd gradient = Eigen::VectorXd::Zero(count);
     Eigen::MatrixXd information = Eigen::MatrixXd::Zero(count, count);
-    columns.accumulate(data.averages, gradient, information);
+    columns.accumulate(weight, gradient, information);
     std::vector<long> at;
     for (const PredictionDerivative* derivative : own.derivatives) at.push_back(derivative->unknown);
     for (const std::size_t u : own.noise) at.push_back(static_cast<long>(u));
@@ -186,6 +190,16 @@ Predictions predict(const Trial& trial, const LikelihoodContext& context) {
     return predictions;
 }
 
+namespace {
+
+double sum_of(const std::vector<double>& parts) {
+    double sum = 0.0;
+    for (const double own : parts) sum += own;
+    return sum;
+}
+
+}  // namespace
+
 double log_likelihood(const Trial& trial, const Predictions& predictions, const LikelihoodContext& context) {
     const std::vector<Observation>& observations = *context.observations;
     const std::vector<Chunk> chunks = chunks_of(observations);
@@ -195,31 +209,34 @@ double log_likelihood(const Trial& trial, const Predictions& predictions, const 
         const Chunk& chunk = chunks[i];
         const MeasuredSpectra& data = measured(observations[chunk.observation], context.part);
         WhitenedBin white;
-        for (std::size_t bin = chunk.first; bin < chunk.first + chunk.count; ++bin) {
-            whiten(trial, observations[chunk.observation], chunk.observation, predictions[chunk.observation], data, bin, context.least_floor, known_processes(context, chunk.observation, bin), white);
-            sums[i] += data.averages * white.log_likelihood;
+        for (std::size_t bin = chunk.first; bin < chunk.first + chunk.count; bin += context.every) {
+            whiten(trial, observations[chunk.observation], chunk.observation, predictions[chunk.observation], data, bin, context.least_floor, known_power(context, chunk.observation, bin), white);
+            sums[i] += weight_of(context, data) * white.log_likelihood;
         }
     }
-    double sum = scalar_log_likelihood(trial, predictions, context);
-    for (const double own : sums) sum += own;
+    const double sum = scalar_log_likelihood(trial, predictions, context) + sum_of(sums);
     return std::isfinite(sum) ? sum : -std::numeric_limits<double>::infinity();
 }
 
-ProcessCounts process_counts(const Trial& trial, const Predictions& predictions, const LikelihoodContext& context) {
+BinPowers bin_powers(const Trial& trial, const Predictions& predictions, const LikelihoodContext& context) {
     const std::vector<Observation>& observations = *context.observations;
-    ProcessCounts counts;
-    for (const Observation& observation : observations) counts.emplace_back(observation.scalar ? 0 : observation.bins(), 1.0);
+    BinPowers powers;
+    for (const Observation& observation : observations) powers.at.emplace_back(observation.scalar ? 0 : observation.bins());
     const std::vector<Chunk> chunks = chunks_of(observations);
+    std::vector<double> sums(chunks.size(), 0.0);
 #pragma omp parallel for schedule(dynamic, 1) num_threads(thread_count(context))
     for (std::size_t i = 0; i < chunks.size(); ++i) {
         const std::size_t o = chunks[i].observation;
+        const MeasuredSpectra& data = measured(observations[o], context.part);
         WhitenedBin white;
-        for (std::size_t bin = chunks[i].first; bin < chunks[i].first + chunks[i].count && !observations[o].scalar; ++bin) {
-            whiten(trial, observations[o], o, predictions[o], measured(observations[o], context.part), bin, context.least_floor, 0.0, white);
-            counts[o][bin] = white.processes;
+        for (std::size_t bin = chunks[i].first; bin < chunks[i].first + chunks[i].count && !observations[o].scalar; bin += context.every) {
+            whiten(trial, observations[o], o, predictions[o], data, bin, context.least_floor, nullptr, white);
+            powers.at[o][bin] = {white.processes, std::log(white.amplification), white.bend};
+            sums[i] += weight_of(context, data) * white.log_likelihood;
         }
     }
-    return counts;
+    powers.log_likelihood = sum_of(sums);
+    return powers;
 }
 
 namespace {

@@ -35,8 +35,18 @@ struct LikelihoodSlope {
     Eigen::MatrixXd information;   ///< Σ n tr(A_i A_j) (Fisher)
 };
 
-/// How many processes a bin looks like (WhitenedBin::processes), [observation][bin].
-using ProcessCounts = std::vector<std::vector<double>>;
+/// What one trial's bin leaves for those of similar trials.
+struct BinPower {
+    double processes = 1.0;      ///< that it looks like (WhitenedBin::processes)
+    double log_amplification = 0.0;  ///< its most probable s (WhitenedBin), where the search for another's begins,
+    double bend = 0.0;               ///< and how the slope falls there; 0: not known
+};
+
+/// Those of a trial, [observation][bin], and its log-likelihood, of time series alone.
+struct BinPowers {
+    std::vector<std::vector<BinPower>> at;
+    double log_likelihood = 0.0;
+};
 
 /// Everything that a likelihood is asked about.
 struct LikelihoodContext {
@@ -46,7 +56,8 @@ struct LikelihoodContext {
     Part part = Part::fitted;
     double least_floor = 0.0;  ///< relative; large values blunt the likelihood while a fit is far away
     int threads = 0;
-    const ProcessCounts* processes = nullptr;  ///< those of another trial; none: every trial's own
+    const BinPowers* powers = nullptr;  ///< of another trial, whose counts of processes hold; none: every trial's own
+    std::size_t every = 1;     ///< of the bins of time series: one in so many speaks, for all of them
 };
 
 /// The likelihood on the coarse observations, blunted by a relative floor.
@@ -66,8 +77,8 @@ ExpectedSpectra predict_like(const Predictions& similar, const Trial& trial, con
 /// model: −Σ n[log det S − log det Ŝ + tr(S⁻¹Ŝ) − p], S = prediction + noise + floor.
 double log_likelihood(const Trial& trial, const Predictions& predictions, const LikelihoodContext& context);
 
-/// The counts of a trial's own.
-ProcessCounts process_counts(const Trial& trial, const Predictions& predictions, const LikelihoodContext& context);
+/// A trial's own, whatever powers `context` has.
+BinPowers bin_powers(const Trial& trial, const Predictions& predictions, const LikelihoodContext& context);
 
 /// The same with its slope. The sums are made in a fixed order, whatever the number of threads.
 LikelihoodSlope likelihood_slope(const Trial& trial, const std::vector<Unknown>& unknowns, const Predictions& predictions,

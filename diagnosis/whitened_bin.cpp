@@ -113,16 +113,19 @@ std::array<double, kFloorGroups> floors_at(const Trial& trial, double frequency_
 }
 
 void whiten(const Trial& trial, const Observation& observation, std::size_t index, const ExpectedSpectra& prediction,
-            const MeasuredSpectra& data, std::size_t bin, double least_floor, double known_processes, WhitenedBin& best) {
+            const MeasuredSpectra& data, std::size_t bin, double least_floor, const BinPower* known, WhitenedBin& best) {
     const Parts parts = parts_of(trial, observation, index, prediction, data, bin, least_floor);
-    best.projection = 0.0;
-    whiten_at(parts, 0.0, best);
+    double s = known ? known->log_amplification : 0.0;
+    best.projection = best.bend = 0.0;
+    whiten_at(parts, s, best);
     if (!std::isfinite(best.log_likelihood)) return;
     double processes = trace_of_product(best.scale, best.scale, parts.size);
-    best.processes = known_processes > 0.0 ? known_processes : processes;
+    best.processes = known ? known->processes : processes;
     if (best.processes < 1.0 + kLeastExcess) return;
     const double stiffness = best.processes / (best.processes - 1.0);  // 1/(v·n)
-    double s = 0.0, slope = trace_of_product(best.scale, best.residual, parts.size), bend = processes + stiffness;
+    best.log_likelihood -= 0.5 * stiffness * s * s;
+    double slope = trace_of_product(best.scale, best.residual, parts.size) - stiffness * s, bend = processes + stiffness;
+    if (known && known->bend > 0.0) bend = std::clamp(known->bend, bend / kShorter, kShorter * bend);
     WhitenedBin next;
     for (int i = 0; i < kSteps; ++i) {
         const double step = std::clamp(slope / bend, -kLongestNewtonStep, kLongestNewtonStep);
@@ -141,6 +144,7 @@ void whiten(const Trial& trial, const Observation& observation, std::size_t inde
         processes = trace_of_product(best.scale, best.scale, parts.size);
         bend = std::clamp(secant, (processes + stiffness) / kShorter, kShorter * (processes + stiffness));
     }
+    best.bend = bend;
     best.projection = 1.0 / (processes + stiffness);
     settle_residual(best, slope / bend, parts.size);
 }

@@ -21,13 +21,14 @@ struct WhitenedBin {
     SplitMatrix scale;           ///< L⁻¹ ∂S/∂s L⁻ᴴ, lower triangle
     double amplification = 1.0;  ///< e^s
     double processes = 1.0;      ///< r where s = 0, or what was known of it
+    double bend = 0.0;           ///< how the slope of the log-likelihood with s falls, per average; 0 without excess
     double projection = 0.0;     ///< c in 1 − c·aaᵀ, a the packed `scale`: (r − 1)/r², r = tr(scale²); 0 without excess
     double log_likelihood = 0.0; ///< per average, relative to the saturated model, −s²/(2vn) included; −∞ where S is not definite
 };
 
-/// Whitens into `bin_seen`, which may be used again for the next bin: some kilobytes that need not be moved. `known_processes`: r, where another trial has said it; 0: the trial's own.
+/// Whitens into `bin_seen`, which may be used again for the next bin: some kilobytes that need not be moved. `known`: r, and where the search for s begins, from another trial; none: the trial's own.
 void whiten(const Trial& trial, const Observation& observation, std::size_t index, const ExpectedSpectra& prediction,
-            const MeasuredSpectra& data, std::size_t bin, double least_floor, double known_processes,
+            const MeasuredSpectra& data, std::size_t bin, double least_floor, const BinPower* known,
             WhitenedBin& bin_seen);
 
 /// Square of the floor's relative amplitude, of `least` added, by floor_group() of a response.

@@ -159,8 +159,8 @@ TEST(LikelihoodSlope, IsThatAtTheMostProbablePower) {
     made.draw(4);
     LikelihoodContext context = made.context();
     const Point point = point_of(made, context, 0.05);
-    const ProcessCounts counts = process_counts(point.trial, point.predictions, context);
-    context.processes = &counts;
+    const BinPowers powers = bin_powers(point.trial, point.predictions, context);
+    context.powers = &powers;
     const LikelihoodSlope slope = likelihood_slope(
         point.trial, point.unknowns, point.predictions, differentiate(point.trial, point.unknowns, point.values, point.predictions, context), context);
     for (std::size_t i = 0; i < point.unknowns.size(); ++i) {
