@@ -142,7 +142,8 @@ ExpectationCache prepared(const pem::CaseParameters& parameters, double speed, c
     const std::vector<double> wheels = vehicle::wheel_positions(parameters.vehicle);
     const bool same_rail = reuse == Reuse::rail;
     ExpectationCache own;
-    pem::CoupledModel model = pem::coupled_model(parameters, speed);
+    pem::CoupledModel model = same_rail && known->rail ? pem::coupled_model(parameters, known->rail) : pem::coupled_model(parameters, speed);
+    own.rail = model.rail;
     std::vector<pem::Source> sources;
     if (pem::is_nonlinear(parameters)) {
         sources = pem::excitation_sources(parameters, wheels, speed);

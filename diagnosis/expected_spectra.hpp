@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <complex>
+#include <memory>
 #include <vector>
 
 #include "pem/case_parameters.hpp"
@@ -62,6 +63,7 @@ recordings::KernelWeights expectation_weights(const recordings::WindowKernel& ke
 
 /// What one expectation leaves for others that differ from it only in part.
 struct ExpectationCache {
+    std::shared_ptr<const pem::RailModel> rail;      ///< none of scalars
     std::vector<pem::RailGroup> rails, level_rails;  ///< on the lines of the transfers, and on those of pem::linearise()
     pem::WheelTransfers transfers, of_irregularity;  ///< the latter with what comes back through the supports
     std::vector<pem::SensorParameters> sensors;      ///< that are part of them

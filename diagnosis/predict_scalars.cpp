@@ -110,7 +110,7 @@ std::vector<Complex> channel_levels(pem::CaseParameters parameters, double speed
         std::vector<pem::RailGroup> rails;
         if (reuse == Reuse::rail || reuse == Reuse::motion) rails = known->rails;
         own = transfers_of(parameters, speed, observation, rails);
-        if (filled) *filled = {std::move(rails), {}, own};
+        if (filled) *filled = {.rails = std::move(rails), .transfers = own};
     }
     const ChannelPsd psd(parameters, speed, observation, reuse == Reuse::transfers ? known->transfers : own);
     std::vector<Complex> levels;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "pem/contact.hpp"
 #include "pem/solution.hpp"
@@ -11,12 +12,17 @@ namespace railpem::pem {
 using lanes::Complex;
 
 CoupledModel coupled_model(const CaseParameters& parameters, double speed_m_per_s) {
+    const track::StaticEquilibrium equilibrium = case_equilibrium(parameters);
+    CoupledModel model = coupled_model(parameters, rail_model(parameters, vehicle::wheel_positions(parameters.vehicle), equilibrium, speed_m_per_s));
+    if (parameters.track.pads.preload_strength > 0.0) model.warnings = equilibrium.warnings;
+    return model;
+}
+
+CoupledModel coupled_model(const CaseParameters& parameters, std::shared_ptr<const RailModel> rail) {
     CoupledModel model;
     model.car = vehicle::half_vehicle(parameters.vehicle);
+    model.rail = std::move(rail);
     model.wheels_m = vehicle::wheel_positions(parameters.vehicle);
-    const track::StaticEquilibrium equilibrium = case_equilibrium(parameters);
-    model.rail = rail_model(parameters, model.wheels_m, equilibrium, speed_m_per_s);
-    if (parameters.track.pads.preload_strength > 0.0) model.warnings = equilibrium.warnings;
     const double constant = contact_constant(parameters.contact, parameters.vehicle.wheel_radius_m);
     model.contact_compliance.fill(1.0 / contact_stiffness(constant, wheel_load_n(parameters)));
     model.contact_correction = parameters.contact.correction;

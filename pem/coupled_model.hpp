@@ -16,7 +16,7 @@ namespace railpem::pem {
 /// A case prepared for all frequencies: what does not depend on the frequency is computed once.
 struct CoupledModel {
     vehicle::HalfVehicle car;
-    std::unique_ptr<RailModel> rail;
+    std::shared_ptr<const RailModel> rail;
     std::vector<double> wheels_m;             ///< positions of the wheels, front first
     std::array<double, 4> contact_compliance{};  ///< 1/K_h per wheel without the correction, m/N
     lanes::FactorCurve contact_correction;       ///< of K_h, as in ContactParameters
@@ -25,6 +25,9 @@ struct CoupledModel {
 
 /// `speed_m_per_s` matters only for a case with solver.moving.
 CoupledModel coupled_model(const CaseParameters& parameters, double speed_m_per_s);
+
+/// The same on the `rail` of a case whose track, speed and wheels are the same, and its load where that stiffens the pads. Without warnings.
+CoupledModel coupled_model(const CaseParameters& parameters, std::shared_ptr<const RailModel> rail);
 
 using WheelVector = std::array<lanes::Complex, 4>;
 using WheelMatrix = std::array<WheelVector, 4>;  ///< [row][column]

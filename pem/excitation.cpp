@@ -132,7 +132,7 @@ std::array<std::complex<double>, 4> met(const DelayedSpectrum& source, const std
 }
 
 TrackExcitation track_excitation(const CaseParameters& parameters, const std::vector<double>& wheels_m, double speed_m_per_s, const CoupledModel* model) {
-    TrackExcitation track{.deflection = passing_lines(parameters, wheels_m, speed_m_per_s), .passing = {}, .failed = failed_fastener_amplitudes(parameters, wheels_m, speed_m_per_s),
+    TrackExcitation track{.deflection = passing_lines(parameters, wheels_m, speed_m_per_s, model ? model->rail->constant_loads() : nullptr), .passing = {}, .failed = failed_fastener_amplitudes(parameters, wheels_m, speed_m_per_s),
                           .wheel_load_n = wheel_load_n(parameters), .amplitude_factor = own_passing(parameters)};
     track.passing = track.deflection;
     if (excess_passing(parameters) > 0.0) track.excess = unit_excess_lines(parameters, wheels_m, speed_m_per_s);

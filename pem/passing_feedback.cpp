@@ -20,7 +20,8 @@ void feed_back(const CaseParameters& parameters, const CoupledModel& model, doub
     const double load_n = wheel_load_n(parameters);
     track::PadHistory history = track::pad_history(parameters.track, model.wheels_m, linear ? 0.0 : load_n, speed, false, swelling_n);
     if (!linear) {
-        const track::PadHistory constant = track::pad_history(parameters.track, model.wheels_m, load_n, speed);
+        const track::PadHistory* known = model.rail->constant_loads();
+        const track::PadHistory constant = known ? *known : track::pad_history(parameters.track, model.wheels_m, load_n, speed);
         for (std::size_t i = 0; i < constant.force_n_m.size(); ++i) history.force_n_m[i] -= constant.force_n_m[i];
     }
     const auto deflection = track::rolling_deflection(parameters.track, model.wheels_m, speed, history, static_cast<int>(passing.size()));

@@ -106,10 +106,10 @@ std::array<std::array<std::complex<double>, 4>, lanes::width> coefficients(const
 }
 
 /// Sound fasteners: `factor` times the rail under wheels that roll or stand, in closed form but for what load changes.
-std::vector<SpectralLine> lines_of_the_bays(const CaseParameters& parameters, const std::vector<double>& wheels_m, double speed, double factor, bool standing) {
+std::vector<SpectralLine> lines_of_the_bays(const CaseParameters& parameters, const std::vector<double>& wheels_m, double speed, double factor, bool standing, const track::PadHistory* known = nullptr) {
     const double spacing = parameters.track.spacing_m;
     const int orders = std::min(kOrdersPerBay, static_cast<int>(parameters.frequency.to_hz * spacing / speed));
-    const track::PadHistory history = track::pad_history(parameters.track, wheels_m, wheel_load_n(parameters), speed, standing);
+    const track::PadHistory history = known ? *known : track::pad_history(parameters.track, wheels_m, wheel_load_n(parameters), speed, standing);
     const auto deflection = track::rolling_deflection(parameters.track, wheels_m, speed, history, orders, standing);
     std::vector<SpectralLine> lines;
     for (int m = 1; m <= orders; ++m) {
@@ -133,12 +133,11 @@ std::vector<SpectralLine> unit_excess_lines(const CaseParameters& parameters, co
     return lines_of_the_bays(parameters, wheels_m, speed, 1.0, true);
 }
 
-std::vector<SpectralLine> passing_lines(const CaseParameters& parameters, const std::vector<double>& wheels_m,
-                                        double speed) {
+std::vector<SpectralLine> passing_lines(const CaseParameters& parameters, const std::vector<double>& wheels_m, double speed, const track::PadHistory* rolling) {
     const double factor = parameters.sleeper_passing.amplitude_factor;
     const int period = std::max(1, failure_period(parameters));
     if (factor == 0.0 && period == 1) return {};
-    if (period == 1) return lines_of_the_bays(parameters, wheels_m, speed, own_passing(parameters), false);
+    if (period == 1) return lines_of_the_bays(parameters, wheels_m, speed, own_passing(parameters), false, rolling);
     const double spacing = parameters.track.spacing_m;
     const int highest =
         std::min(kOrdersPerBay * period, static_cast<int>(parameters.frequency.to_hz * period * spacing / speed));

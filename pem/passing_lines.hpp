@@ -6,6 +6,7 @@
 
 #include "pem/case_parameters.hpp"
 #include "pem/excitation.hpp"
+#include "track/rolling_pads.hpp"
 
 namespace railpem::pem {
 
@@ -14,7 +15,8 @@ namespace railpem::pem {
 /// standing loads, r(x) = −P0·Σ_j C_ij(x). C is the receptance with the wheels shifted by x, taken at the frequency of the line, so that damping and inertia of the track count as they do there
 /// (a static compliance is 5 % lower at 37 Hz on the paper's track). Scaled by sleeper_passing.amplitude_factor for the
 /// lines of the intact bays, on sound fasteners by no more than own_passing(); lines that only the failed fasteners cause are always in. Empty when there is nothing to feel.
-std::vector<SpectralLine> passing_lines(const CaseParameters& parameters, const std::vector<double>& wheels_m, double speed_m_per_s);
+/// `rolling`: RailModel::constant_loads() of the case, where it is known.
+std::vector<SpectralLine> passing_lines(const CaseParameters& parameters, const std::vector<double>& wheels_m, double speed_m_per_s, const track::PadHistory* rolling = nullptr);
 
 /// The share of sleeper_passing.amplitude_factor that is the track's own compliance under rolling wheels, and what is in excess of it: an irregularity like the deflection under standing
 /// loads, alike at every speed and under the wheels of a bogie, where that under rolling wheels is not (at 38 m/s it differs by 5 %, from wheel to wheel by 1 %).

@@ -4,6 +4,7 @@
 
 #include "pem/case_parameters.hpp"
 #include "track/exact_rail.hpp"
+#include "track/rolling_pads.hpp"
 
 namespace railpem::pem {
 
@@ -30,6 +31,8 @@ class RailModel {
     virtual const EqualSeats* equal_seats() const { return nullptr; }
     /// Nothing differs from them.
     virtual bool has_equal_seats_alone() const { return false; }
+    /// What every pad goes through while constant loads roll past, where the rail had to know it: load stiffens the pads, all fasteners are sound.
+    virtual const track::PadHistory* constant_loads() const { return nullptr; }
 };
 
 /// The rail that the case asks for (solver.rail), on the pads of the static equilibrium; with solver.moving under wheels that roll (rolling_rail.hpp), the exact one on the pads as

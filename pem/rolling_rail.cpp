@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 #include "track/mean_seats.hpp"
@@ -22,6 +23,7 @@ struct Rolling {
     std::vector<double> wheels_m;
     double speed_m_per_s;
     SeatsThatDiffer seats;
+    std::optional<track::PadHistory> constant_loads;
 };
 
 class RollingEvaluator : public RailEvaluator {
@@ -65,6 +67,7 @@ class RollingModel : public RailModel {
     std::unique_ptr<RailEvaluator> evaluator() const override { return std::make_unique<RollingEvaluator>(rolling_); }
     const EqualSeats* equal_seats() const override { return &rolling_.equal; }
     bool has_equal_seats_alone() const override { return !rolling_.seats.own; }
+    const track::PadHistory* constant_loads() const override { return rolling_.constant_loads ? &*rolling_.constant_loads : nullptr; }
 
   private:
     Rolling rolling_;
@@ -130,20 +133,19 @@ int failure_period(const track::TrackParameters& track) {
 }
 
 /// The rails of all places, every bay of a period of failed fasteners.
-std::vector<track::ExactRail> rails_at(const Places& places, const CaseParameters& parameters, const std::vector<double>& wheels_m, double speed_m_per_s) {
+std::vector<track::ExactRail> rails_at(const Places& places, const CaseParameters& parameters, const std::vector<double>& wheels_m, const track::PadHistory* rolling) {
     CaseParameters moved = parameters;
     const int period = failure_period(moved.track), first_seat = moved.track.failed_fasteners.empty() ? 0 : moved.track.failed_fasteners.front().first_seat;
-    const bool load_matters = moved.track.pads.preload_strength > 0.0;
     track::PassingChange change;
-    if (load_matters) change = track::passing_change(moved.track, wheels_m, wheel_load_n(parameters), speed_m_per_s);
+    if (rolling) change = track::passing_change(moved.track, wheels_m, wheel_load_n(parameters), *rolling);
     std::vector<track::ExactRail> rails;
     track::StaticEquilibrium previous;
     for (int k = 0; k < places.per_bay * period; ++k) {
         const double bays = places.first_bay + static_cast<double>(k) / places.per_bay;
         moved.track.wheel_offset_m = (bays - std::floor(bays)) * parameters.track.spacing_m;
         for (track::FailedFasteners& failed : moved.track.failed_fasteners) failed.first_seat = first_seat - static_cast<int>(bays);
-        previous = load_matters ? track::moving_equilibrium(moved.track, wheels_m, wheel_load_n(parameters), case_pads(moved, wheels_m), change, &previous)
-                                : dynamic_equilibrium(moved);
+        previous = rolling ? track::moving_equilibrium(moved.track, wheels_m, wheel_load_n(parameters), case_pads(moved, wheels_m), change, &previous)
+                           : dynamic_equilibrium(moved);
         rails.push_back(track::exact_rail(moved.track, wheels_m, previous));
     }
     return rails;
@@ -167,12 +169,15 @@ std::unique_ptr<RailModel> rolling_rail(const CaseParameters& parameters, const 
     const Places places(mean.track, wheels_m);
     if (mean.track.pads.preload_strength == 0.0 && failure_period(mean.track) == 1) {
         const double sound = dynamic_equilibrium(mean).unloaded_dynamic_stiffness_n_per_m;
-        return std::make_unique<RollingModel>(Rolling{{mean.track, sound}, wheels_m, speed_m_per_s, {}});
+        return std::make_unique<RollingModel>(Rolling{{mean.track, sound}, wheels_m, speed_m_per_s, {}, {}});
     }
-    std::vector<track::ExactRail> rails = rails_at(places, mean, wheels_m, speed_m_per_s);
+    std::optional<track::PadHistory> rolling;
+    if (mean.track.pads.preload_strength > 0.0) rolling = track::pad_history(mean.track, wheels_m, wheel_load_n(parameters), speed_m_per_s);
+    std::vector<track::ExactRail> rails = rails_at(places, mean, wheels_m, rolling ? &*rolling : nullptr);
+    if (!parameters.track.failed_fasteners.empty()) rolling.reset();
     const double pad = stiffness_under_points(rails.front());
     SeatsThatDiffer seats{exact_rails(std::move(rails)), on_equal_seats(places, mean.track, wheels_m, pad)};
-    return std::make_unique<RollingModel>(Rolling{{mean.track, pad}, wheels_m, speed_m_per_s, std::move(seats)});
+    return std::make_unique<RollingModel>(Rolling{{mean.track, pad}, wheels_m, speed_m_per_s, std::move(seats), std::move(rolling)});
 }
 
 std::unique_ptr<RailModel> rolling_rail(const CaseParameters& parameters, const std::vector<double>& wheels_m, double speed_m_per_s, std::unique_ptr<RailModel> standing) {
@@ -181,7 +186,7 @@ std::unique_ptr<RailModel> rolling_rail(const CaseParameters& parameters, const 
     equal.unloaded_dynamic_stiffness_n_per_m = pad;
     equal.dynamic_stiffness_n_per_m.assign(equal.position_m.size(), pad);
     SeatsThatDiffer seats{std::move(standing), exact_rails({track::exact_rail(parameters.track, wheels_m, equal)})};
-    return std::make_unique<RollingModel>(Rolling{{parameters.track, pad}, wheels_m, speed_m_per_s, std::move(seats)});
+    return std::make_unique<RollingModel>(Rolling{{parameters.track, pad}, wheels_m, speed_m_per_s, std::move(seats), {}});
 }
 
 }  // namespace railpem::pem

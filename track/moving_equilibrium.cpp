@@ -19,10 +19,9 @@ double PassingChange::at(double position_m) const {
            (t + 1.0) * t * (t - 1.0) / 6.0 * y[2];
 }
 
-PassingChange passing_change(const TrackParameters& track, const std::vector<double>& wheels_m, double wheel_load_n, double speed_m_per_s) {
+PassingChange passing_change(const TrackParameters& track, const std::vector<double>& wheels_m, double wheel_load_n, const PadHistory& rolling) {
     PassingChange change;
-    if (speed_m_per_s == 0.0 || track.pads.preload_strength == 0.0) return change;
-    const PadHistory rolling = pad_history(track, wheels_m, wheel_load_n, speed_m_per_s), standing = pad_history(track, wheels_m, wheel_load_n, 0.0, true);
+    const PadHistory standing = pad_history(track, wheels_m, wheel_load_n, 0.0, true);
     const TrackParameters passing = passing_track(track, wheel_load_n);
     const PadCurve curve = pad_curve(passing.pads);
     const double rest = unloaded_seat(seat_law(passing), rest_load_n(passing)).compression_m;

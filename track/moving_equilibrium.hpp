@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "track/rolling_pads.hpp"
 #include "track/static_equilibrium.hpp"
 
 namespace railpem::track {
@@ -18,8 +19,8 @@ struct PassingChange {
     double at(double position_m) const;
 };
 
-/// K0(E(x)) along the history of a pad (rolling_pads.hpp) less that of the same track with v = 0 and g = 1.
-PassingChange passing_change(const TrackParameters& track, const std::vector<double>& wheels_m, double wheel_load_n, double speed_m_per_s);
+/// K0(E(x)) along the history of a pad under `rolling` wheels (pad_history()) less that of the same track with v = 0 and g = 1. `track.pads.preload_strength` > 0.
+PassingChange passing_change(const TrackParameters& track, const std::vector<double>& wheels_m, double wheel_load_n, const PadHistory& rolling);
 
 /// The pads under the wheels of a vehicle that rolls: equilibrium of the track with E as the pads' curve (passing_track()), `change` added to its dynamic
 /// stiffness; exact where all fasteners are sound. `track.pads.preload_strength` > 0. Everything else as static_equilibrium().
