@@ -193,11 +193,9 @@ ExpectationCache with_other_sensors(const ExpectationCache& known, const pem::Ca
     return own;
 }
 
-void add_excitation(const pem::CaseParameters& parameters, double speed, const ExpectationCache& parts, const FineGrid& grid, const recordings::WindowKernel& kernel,
-                    const recordings::KernelWeights& weights, const pem::ContactDistortion& contacts, ExpectedSpectra& expected) {
+void add_broadband(const pem::CaseParameters& parameters, const pem::Excitation& excitation, double speed, const ExpectationCache& parts, const FineGrid& grid, double bin,
+                   const recordings::KernelWeights& weights, const pem::ContactDistortion& contacts, ExpectedSpectra& expected) {
     const std::vector<double> wheels = vehicle::wheel_positions(parameters.vehicle);
-    const double bin = kernel.bin_hz();
-    const pem::Excitation excitation = pem::excitation(parameters, wheels, speed, &parts.track);
     for (const pem::DelayedSpectrum& source : excitation.broadband)
         add_smoothed(fine_responses(parts.of_irregularity, source, wheels, speed, grid), expected.channels, weights,
                      {.first = grid.first, .count = grid.count, .first_bin = expected.first_bin, .bins = expected.bins()}, expected.values);
@@ -207,6 +205,9 @@ void add_excitation(const pem::CaseParameters& parameters, double speed, const E
         add_as_it_is(parts.transfers, source, wheels, speed, bin, expected);
     if (!parameters.wheels_own.empty()) add_wheels_own(parameters, parts.transfers, excitation.broadband.front(), wheels, speed, bin, expected);
     add_felt(parts.transfers, parts.felt, excitation.broadband.front(), wheels, speed, bin, expected);
+}
+
+void add_all_lines(const pem::CaseParameters& parameters, const pem::Excitation& excitation, const ExpectationCache& parts, const recordings::WindowKernel& kernel, ExpectedSpectra& expected) {
     // Of wheels out of round what supports make of them: lines of joints hardly stand above the irregularity, those of passing supports act on each other (feed_back_lines).
     for (const pem::LineSet& set : excitation.lines) {
         const bool modulated = set.name.starts_with("wheel_") && !parts.felt.empty();
@@ -229,14 +230,18 @@ ExpectedSpectra expected_spectra(const pem::CaseParameters& parameters, double s
     const recordings::KernelWeights weights =
         options.weights.weights.empty() ? expectation_weights(kernel, options.oversampling) : options.weights;
     const bool has_forces = has_friction(parameters) || has_own_forces(parameters);
-    if (has_forces && (reuse == Reuse::transfers || reuse == Reuse::motion)) reuse = Reuse::rail;  // what they add is no transfer
+    if (has_forces && reuse >= Reuse::motion) reuse = Reuse::rail;  // what they add is no transfer
     // With all transfers the excitation's lines are those of the cache; pads that stiffen under load do not share it.
-    if (reuse == Reuse::transfers) add_excitation(parameters, speed, *known, grid, kernel, weights, options.contacts, expected);
-    else {
-        ExpectationCache own = reuse == Reuse::motion ? with_other_sensors(*known, parameters, channels) : prepared(parameters, speed, channels, grid, bin, options, known, reuse, expected);
-        add_excitation(parameters, speed, own, grid, kernel, weights, options.contacts, expected);
-        if (filled) *filled = std::move(own);
-    }
+    ExpectationCache own;
+    if (reuse == Reuse::motion) own = with_other_sensors(*known, parameters, channels);
+    else if (reuse < Reuse::motion) own = prepared(parameters, speed, channels, grid, bin, options, known, reuse, expected);
+    const ExpectationCache& parts = reuse >= Reuse::transfers ? *known : own;
+    const pem::Excitation excitation = pem::excitation(parameters, vehicle::wheel_positions(parameters.vehicle), speed, &parts.track);
+    if (reuse == Reuse::broadband && parts.broadband.size() == expected.values.size()) expected.values = parts.broadband;
+    else add_broadband(parameters, excitation, speed, parts, grid, bin, weights, options.contacts, expected);
+    if (filled) own.broadband = expected.values;
+    add_all_lines(parameters, excitation, parts, kernel, expected);
+    if (filled && reuse < Reuse::transfers) *filled = std::move(own);
     add_sensor_noise(parameters, channels, bin, expected);
     for (std::size_t b = 0; b < bins; ++b)
         for (std::size_t c = 0; c < channels.size() && !noise_psd.empty(); ++c)

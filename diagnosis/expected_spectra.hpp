@@ -73,11 +73,12 @@ struct ExpectationCache {
     pem::ModulationTransfers modulation;
     std::vector<pem::Modulation> orders;
     std::vector<pem::FeltOrder> felt;
+    std::vector<std::complex<double>> broadband;     ///< ExpectedSpectra::values without lines and what sensors add
 };
 
-/// What may be taken from the cache: nothing, the rail (track and speed are the same), all motion (only what sensors make of it differs) or all transfers (only the
-/// excitation differs).
-enum class Reuse { nothing, rail, motion, transfers };
+/// What may be taken from the cache, ever more of it: nothing, the rail (track and speed are the same), all motion (only what sensors make of it differs), all transfers (only the
+/// excitation differs) or all that is broadband (only lines differ).
+enum class Reuse { nothing, rail, motion, transfers, broadband };
 
 /// Expectation of the windowed estimate: ∫|W(f − f')|² S(f') df' with S = Σ_s y_s y_sᴴ over all broadband sources with their delays,
 /// plus P·K(f − f_l) for every line l of power P, plus noise.

@@ -28,13 +28,14 @@ std::vector<Unknown> with_lines_held(std::vector<Unknown> unknowns, const std::v
 State with_width(const Trial& base, const std::vector<Unknown>& unknowns, const LikelihoodContext& context, const State& state, std::size_t width, double value) {
     std::vector<double> values = state.values;
     values[width] = std::clamp(value, unknowns[width].low, unknowns[width].high);
-    if (shared_with(state.trial, unknowns[width]) != Reuse::transfers) return state_at(base, unknowns, std::move(values), context);
+    const Reuse reuse = shared_with(state.trial, unknowns[width]);
+    if (reuse < Reuse::transfers) return state_at(base, unknowns, std::move(values), context);
     State next{.trial = state.trial, .values = std::move(values), .predictions = {}};
     unknowns[width].set(next.trial, next.values[width]);
     next.predictions.spectra = state.predictions.spectra;
     for (std::size_t o = 0; o < next.predictions.spectra.size(); ++o)
         if (moves(unknowns[width], next.trial, (*context.observations)[o], o))
-            next.predictions.spectra[o] = predict_like(state.predictions, next.trial, context, o, Reuse::transfers);
+            next.predictions.spectra[o] = predict_like(state.predictions, next.trial, context, o, reuse);
     weigh(unknowns, context, next);
     return next;
 }

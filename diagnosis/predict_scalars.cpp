@@ -106,13 +106,13 @@ std::vector<Complex> channel_levels(pem::CaseParameters parameters, double speed
                                     Reuse reuse, ExpectationCache* filled) {
     parameters.sleeper_passing.amplitude_factor = 0.0;
     pem::WheelTransfers own;
-    if (reuse != Reuse::transfers) {
+    if (reuse < Reuse::transfers) {
         std::vector<pem::RailGroup> rails;
         if (reuse == Reuse::rail || reuse == Reuse::motion) rails = known->rails;
         own = transfers_of(parameters, speed, observation, rails);
         if (filled) *filled = {.rails = std::move(rails), .transfers = own};
     }
-    const ChannelPsd psd(parameters, speed, observation, reuse == Reuse::transfers ? known->transfers : own);
+    const ChannelPsd psd(parameters, speed, observation, reuse >= Reuse::transfers ? known->transfers : own);
     std::vector<Complex> levels;
     for (const ScalarValue& value : observation.scalar->values) levels.emplace_back(std::log(psd(value.channel, value.frequency_hz) + value.pedestal), 0.0);
     return levels;

@@ -37,13 +37,15 @@ Reuse shared_with_element(const Trial& trial, Element element) {
     return load_matters ? Reuse::nothing : Reuse::rail;
 }
 
+Reuse shared_with_lines(const Trial& trial) { return depends_on_level(trial) ? Reuse::rail : Reuse::broadband; }
+
 }  // namespace
 
 Reuse shared_with(const Trial& trial, const Unknown& unknown) {
     switch (unknown.kind) {
-        case UnknownKind::irregularity:
+        case UnknownKind::irregularity: return shared_with_element(trial, Element::irregularity);
         case UnknownKind::passing:
-        case UnknownKind::width: return shared_with_element(trial, Element::irregularity);
+        case UnknownKind::width: return shared_with_lines(trial);
         case UnknownKind::number: return shared_with_element(trial, element_of_key(unknown.name));
         case UnknownKind::effect: return shared_with(trial, trial.effects[static_cast<std::size_t>(unknown.index)]);
         case UnknownKind::correction: return shared_with_element(trial, unknown.element);
@@ -54,6 +56,7 @@ Reuse shared_with(const Trial& trial, const Unknown& unknown) {
 
 Reuse shared_with(const Trial& trial, const EffectInstance& effect) {
     const Effect& own = *find_effect(effect.effect);
+    if (own.lines_alone) return shared_with_lines(trial);
     return shared_with_element(trial, own.excites ? Element::irregularity : element_of(own, effect));
 }
 

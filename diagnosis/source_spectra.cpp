@@ -16,6 +16,17 @@ namespace {
 
 constexpr double kSuspicious = 1.2;  ///< ratio over a cell that deserves a look
 
+/// y·yᴴ, column by column.
+void add_outer_product(const std::vector<Complex>& y, Complex* power) {
+    const std::size_t size = y.size();
+    for (std::size_t j = 0; j < size; ++j)
+        for (std::size_t i = j; i < size; ++i) {
+            const Complex own = y[i] * std::conj(y[j]);
+            power[j * size + i] += own;
+            if (i != j) power[i * size + j] += std::conj(own);
+        }
+}
+
 bool differ(double a, double b, double ratio) { return std::max(a, b) > ratio * std::min(a, b); }
 
 /// Delays of the wheels along the fine grid: each line's from that of the line before, taken anew often enough for rounding not to add up.
@@ -117,10 +128,11 @@ void add_as_it_is(const pem::WheelTransfers& transfers, const pem::DelayedSpectr
                   ExpectedSpectra& expected) {
     const std::size_t bins = expected.bins(), channels = expected.channels;
     const std::vector<Complex> y = fine_responses(transfers, source, wheels, speed, {bin_hz, expected.first_bin, bins});
-    for (std::size_t b = 0; b < bins; ++b)
-        for (std::size_t j = 0; j < channels; ++j)
-            for (std::size_t i = 0; i < channels; ++i)
-                expected.values[(b * channels + j) * channels + i] += y[i * bins + b] * std::conj(y[j * bins + b]);
+    std::vector<Complex> own(channels);
+    for (std::size_t b = 0; b < bins; ++b) {
+        for (std::size_t c = 0; c < channels; ++c) own[c] = y[c * bins + b];
+        add_outer_product(own, expected.values.data() + b * channels * channels);
+    }
 }
 
 void add_wheels_own(const pem::CaseParameters& parameters, const pem::WheelTransfers& transfers, const pem::DelayedSpectrum& source, const std::vector<double>& wheels, double speed,
@@ -164,9 +176,7 @@ void add_felt(const pem::WheelTransfers& transfers, const std::vector<pem::FeltO
               double bin_hz, ExpectedSpectra& expected) {
     const std::size_t size = expected.channels;
     for_each_felt(transfers, felt, source, wheels, speed, bin_hz, expected, [&](std::size_t b, double, const std::vector<Complex>& y) {
-        Complex* power = expected.values.data() + b * size * size;
-        for (std::size_t j = 0; j < size; ++j)
-            for (std::size_t i = 0; i < size; ++i) power[j * size + i] += y[i] * std::conj(y[j]);
+        add_outer_product(y, expected.values.data() + b * size * size);
     });
 }
 

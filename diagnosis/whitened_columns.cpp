@@ -1,6 +1,7 @@
 #include "diagnosis/whitened_columns.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -8,20 +9,35 @@ namespace railpem::diagnosis {
 
 namespace {
 
-/// sum += (a + ib)·(x + iy), for all unknowns.
-void add_product(double a, double b, const double* x, const double* y, std::size_t count, double* re, double* im) {
+using Lane = std::array<double, WhitenedColumns::kLane>;
+
+/// sum += (a + ib)·(x + iy), for a block of unknowns.
+inline void add_product(double a, double b, const double* x, const double* y, Lane& re, Lane& im) {
 #pragma omp simd
-    for (std::size_t u = 0; u < count; ++u) {
+    for (std::size_t u = 0; u < re.size(); ++u) {
         re[u] += a * x[u] - b * y[u];
         im[u] += a * y[u] + b * x[u];
     }
 }
 
+/// sum += (a + ib)·(x − iy).
+inline void add_product_with_conjugate(double a, double b, const double* x, const double* y, Lane& re, Lane& im) {
+#pragma omp simd
+    for (std::size_t u = 0; u < re.size(); ++u) {
+        re[u] += a * x[u] + b * y[u];
+        im[u] += b * x[u] - a * y[u];
+    }
+}
+
+inline void write(double scale, const Lane& from, double* to) {
+    for (std::size_t u = 0; u < from.size(); ++u) to[u] = scale * from[u];
+}
+
 }  // namespace
 
 WhitenedColumns::WhitenedColumns(std::size_t channels, std::size_t unknowns, std::size_t dense)
-    : channels_(channels), unknowns_(unknowns), stride_((unknowns + 3) / 4 * 4), dense_((dense + 3) / 4 * 4), inverse_re_(channels * channels), inverse_im_(channels * channels),
-      re_(channels * channels * dense_), im_(re_.size()), half_re_(re_.size()), half_im_(re_.size()),
+    : channels_(channels), unknowns_(unknowns), dense_((dense + kLane - 1) / kLane * kLane), stride_(std::max((unknowns + 3) / 4 * 4, dense_)), inverse_re_(channels * channels), inverse_im_(channels * channels),
+      re_(channels * channels * dense_), im_(re_.size()), half_re_(channels * channels), half_im_(channels * channels),
       rows_(static_cast<long>(kBins * channels * channels), static_cast<long>(stride_)), residual_(static_cast<long>(kBins * channels * channels)), scale_(static_cast<long>(channels * channels)),
       gradient_(Eigen::VectorXd::Zero(static_cast<long>(stride_))),
       information_(Eigen::MatrixXd::Zero(static_cast<long>(stride_), static_cast<long>(stride_))) {}
@@ -33,8 +49,8 @@ void WhitenedColumns::begin(const SplitMatrix& inverse_factor, double amplificat
             inverse_re_[i * channels_ + j] = inverse_factor.re[j][i];
             inverse_im_[i * channels_ + j] = inverse_factor.im[j][i];
         }
-    std::fill(re_.begin(), re_.end(), 0.0);
-    std::fill(im_.begin(), im_.end(), 0.0);
+    // Of unknowns that only add_diagonal() moves.
+    rows_.block(static_cast<long>(bins_ * channels_ * channels_), static_cast<long>(dense_), static_cast<long>(channels_ * channels_), static_cast<long>(stride_ - dense_)).setZero();
 }
 
 void WhitenedColumns::set(std::size_t unknown, const std::complex<double>* derivative, const double* diagonal) {
@@ -47,42 +63,34 @@ void WhitenedColumns::set(std::size_t unknown, const std::complex<double>* deriv
     }
 }
 
+// In blocks of unknowns whose matrices stay in the innermost cache.
 void WhitenedColumns::whiten() {
-    std::fill(half_re_.begin(), half_re_.end(), 0.0);
-    std::fill(half_im_.begin(), half_im_.end(), 0.0);
+    for (std::size_t first = 0; first < dense_; first += kLane) whiten_block(first);
+}
+
+void WhitenedColumns::whiten_block(std::size_t first) {
     // H = L⁻¹D. Only its lower triangle is asked for: A_ij = Σ_{k≤j} H_ik conj(L⁻¹_jk), k ≤ j ≤ i.
     for (std::size_t i = 0; i < channels_; ++i)
-        for (std::size_t j = 0; j <= i; ++j)
+        for (std::size_t j = 0; j <= i; ++j) {
+            Lane re{}, im{};
             for (std::size_t k = 0; k <= i; ++k) {
                 const double a = inverse_re_[i * channels_ + k], b = inverse_im_[i * channels_ + k];
-                double *re = at(half_re_, i, j), *im = at(half_im_, i, j);
-                if (k >= j) {
-                    add_product(a, b, at(re_, k, j), at(im_, k, j), dense_, re, im);
-                } else {  // D_kj = conj(D_jk): (a + ib)(x − iy) = conj((a − ib)(x + iy))
-                    const double *x = at(re_, j, k), *y = at(im_, j, k);
-#pragma omp simd
-                    for (std::size_t u = 0; u < dense_; ++u) {
-                        re[u] += a * x[u] + b * y[u];
-                        im[u] += b * x[u] - a * y[u];
-                    }
-                }
+                // D_kj = conj(D_jk) above the diagonal.
+                if (k >= j) add_product(a, b, at(re_, k, j) + first, at(im_, k, j) + first, re, im);
+                else add_product_with_conjugate(a, b, at(re_, j, k) + first, at(im_, j, k) + first, re, im);
             }
-    const std::size_t first = bins_ * channels_ * channels_;
-    rows_.middleRows(static_cast<long>(first), static_cast<long>(channels_ * channels_)).setZero();
-    std::size_t row = first;
-    std::vector<double> re(dense_), im(dense_);
+            half_re_[i * channels_ + j] = re;
+            half_im_[i * channels_ + j] = im;
+        }
+    std::size_t row = bins_ * channels_ * channels_;
     for (std::size_t j = 0; j < channels_; ++j)
         for (std::size_t i = j; i < channels_; ++i) {
-            std::fill(re.begin(), re.end(), 0.0);
-            std::fill(im.begin(), im.end(), 0.0);
+            Lane re{}, im{};
             for (std::size_t k = 0; k <= j; ++k)
-                add_product(inverse_re_[j * channels_ + k], -inverse_im_[j * channels_ + k], at(half_re_, i, k), at(half_im_, i, k), dense_, re.data(), im.data());
+                add_product(inverse_re_[j * channels_ + k], -inverse_im_[j * channels_ + k], half_re_[i * channels_ + k].data(), half_im_[i * channels_ + k].data(), re, im);
             const double scale = i == j ? 1.0 : std::numbers::sqrt2;
-            double* out = rows_.row(static_cast<long>(row++)).data();
-            for (std::size_t u = 0; u < dense_; ++u) out[u] = scale * re[u];
-            if (i == j) continue;
-            out = rows_.row(static_cast<long>(row++)).data();
-            for (std::size_t u = 0; u < dense_; ++u) out[u] = scale * im[u];
+            write(scale, re, rows_.row(static_cast<long>(row++)).data() + first);
+            if (i != j) write(scale, im, rows_.row(static_cast<long>(row++)).data() + first);
         }
 }
 

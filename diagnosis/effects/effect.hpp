@@ -85,6 +85,7 @@ struct Effect {
     bool approximate = false; ///< its law is an approximation (linearised about the level of vibration, or one that nothing in time obeys): part of it stays unexplained
     bool replaces = false;  ///< it takes the place of a law of the case: no derivative at vanishing strength speaks for it
     bool excites = false;   ///< it adds to what excites; how anything responds to it stays as it is, wherever it sits
+    bool lines_alone = false;  ///< what it adds are lines, and nothing broadband changes
     bool retuned = false;   ///< retuning moves the same within its belief: where that is given up for a name the recordings themselves need gain nothing
     bool follows_load = false;  ///< what it does differs with the wheel load of a recording: a free correction, the same for all of them, need not show it
     /// What in the case forbids the effect (it is there already, or something else overrides it); null: nothing can.

@@ -40,6 +40,7 @@ Effect rail_joints() {
         .mimics =
             "A rougher track: where the lines are closer than the resolution only their impulsive shape in time "
             "remains. Regularly failed fasteners have lines of the same kind; theirs follow the wheel load.",
+        .lines_alone = true,
         .obstacle = {},
         .apply =
             [](pem::CaseParameters& parameters, const EffectInstance& effect, const ParameterAccess&) {

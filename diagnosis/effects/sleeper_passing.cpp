@@ -26,6 +26,7 @@ Effect sleeper_passing() {
             "A corrugation of the support spacing. rail-shear also raises the line (fourfold on the track of Wei et "
             "al. 2016), without raising its harmonics alike. A second load moves this line in proportion; a second "
             "speed moves both.",
+        .lines_alone = true,
         .retuned = true,
         .obstacle = {},
         .apply =

@@ -36,6 +36,7 @@ Effect wheel_out_of_roundness() {
             "the other, this by one. The coherence between axle boxes at the line, and the exact order of "
             "rotation, decide.",
         .excites = true,
+        .lines_alone = true,
         .obstacle = {},
         .apply =
             [](pem::CaseParameters& parameters, const EffectInstance& effect, const ParameterAccess&) {
