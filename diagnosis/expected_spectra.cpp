@@ -144,15 +144,15 @@ ExpectationCache prepared(const pem::CaseParameters& parameters, double speed, c
     ExpectationCache own;
     pem::CoupledModel model = same_rail && known->rail ? pem::coupled_model(parameters, known->rail) : pem::coupled_model(parameters, speed);
     own.rail = model.rail;
+    pem::RollingTable rolling = same_rail ? known->modulation.rolling : pem::rolling_table(model, speed, pem::modulation_end_hz(parameters, speed));
     std::vector<pem::Source> sources;
     if (pem::is_nonlinear(parameters)) {
         sources = pem::excitation_sources(parameters, wheels, speed);
-        own.level_rails = same_rail && !known->level_rails.empty() ? known->level_rails : pem::linearisation_rails(parameters, model);
+        own.level_rails = same_rail && !known->level_rails.empty() ? known->level_rails : pem::linearisation_rails(parameters, model, rolling);
         if (known) start_near(known->friction, parameters, model);
         pem::linearise(parameters, sources, model, &own.level_rails);
     }
     const TransferGrid lines = transfer_grid(parameters, grid, options);
-    pem::RollingTable rolling = same_rail ? known->modulation.rolling : pem::rolling_table(model, speed, pem::modulation_end_hz(parameters, speed));
     own.rails = same_rail && known->transfers.lines == lines.lines ? known->rails : channel_rails(parameters, model, rolling, lines, options);
     own.transfers = channel_transfers(parameters, model, channels, grid, options, &own.rails);
     const SolvedLines solved{model, own.rails, lines.from_hz, lines.step_hz, lines.lines};

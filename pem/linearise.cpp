@@ -179,9 +179,10 @@ VelocitySpectra velocity_spectra(const CaseParameters& parameters, const std::ve
     return result;
 }
 
-std::vector<RailGroup> linearisation_rails(const CaseParameters& parameters, const CoupledModel& model) {
+std::vector<RailGroup> linearisation_rails(const CaseParameters& parameters, const CoupledModel& model, const RollingTable& rolling) {
     constexpr int kEvery = 4;
     const auto [count, step] = lines_of(parameters.frequency);
+    if (!rolling.at.empty() && model.rail->has_equal_seats_alone()) return rolling_rails(rolling, model, parameters.frequency.from_hz, step, static_cast<std::size_t>(count));
     return rail_groups(model, parameters.frequency.from_hz, step, static_cast<std::size_t>(count), kEvery, 1);
 }
 

@@ -22,12 +22,8 @@ std::array<Phasor, 4> unit(std::size_t wheel) {
 }
 
 Block forces_per_irregularity(const ModulationTransfers& transfers, double frequency) {
-    Block block;
-    for (std::size_t j = 0; j < 4; ++j) {
-        const std::array<Phasor, 4> column = forces_of(transfers, frequency, unit(j));
-        for (std::size_t i = 0; i < 4; ++i) block(static_cast<long>(i), static_cast<long>(j)) = column[i];
-    }
-    return block;
+    const std::array<Phasor, 16> forces = forces_at(transfers, frequency);
+    return Eigen::Map<const Eigen::Matrix<Phasor, 4, 4, Eigen::RowMajor>>(forces.data());
 }
 
 Block felt_per_force(const Modulation& modulation, const ModulationTransfers& transfers, double from) {

@@ -91,14 +91,21 @@ void add_both_sides(const Modulation& up, std::vector<Modulation>& orders) {
 
 }  // namespace
 
-std::array<Phasor, 4> forces_of(const ModulationTransfers& transfers, double frequency, const std::array<Phasor, 4>& irregularity) {
+std::array<Phasor, 16> forces_at(const ModulationTransfers& transfers, double frequency) {
     const Place at(transfers, frequency);
     const std::array<Phasor, 16>&low = transfers.force[at.below], &high = transfers.force[at.below + 1];
     // Below the first line a vehicle that rises and falls with the track has forces with the square of the frequency, and the irregularity has most of its power.
     const double rise = std::min(1.0, std::pow(frequency / ModulationTransfers::kStep_hz, 2));
+    std::array<Phasor, 16> result;
+    for (std::size_t i = 0; i < result.size(); ++i) result[i] = rise * at.between(low[i], high[i]);
+    return result;
+}
+
+std::array<Phasor, 4> forces_of(const ModulationTransfers& transfers, double frequency, const std::array<Phasor, 4>& irregularity) {
+    const std::array<Phasor, 16> forces = forces_at(transfers, frequency);
     std::array<Phasor, 4> result{};
     for (std::size_t wheel = 0; wheel < 4; ++wheel)
-        for (std::size_t j = 0; j < 4; ++j) result[wheel] += rise * at.between(low[wheel * 4 + j], high[wheel * 4 + j]) * irregularity[j];
+        for (std::size_t j = 0; j < 4; ++j) result[wheel] += forces[wheel * 4 + j] * irregularity[j];
     return result;
 }
 

@@ -52,6 +52,9 @@ std::vector<Modulation> random_modulations(const TrackExcitation& track, const M
 /// Irregularity that forces under the wheels at `from_hz` are felt as at from_hz + shift.
 std::array<std::complex<double>, 4> felt(const Modulation& modulation, const ModulationTransfers& transfers, const std::array<std::complex<double>, 4>& force_n, double from_hz);
 
+/// Contact forces per unit irregularity, [wheel·4 + irregularity under], at a frequency of either sign.
+std::array<std::complex<double>, 16> forces_at(const ModulationTransfers& transfers, double frequency_hz);
+
 /// Contact forces for irregularities under the wheels, at a frequency of either sign.
 std::array<std::complex<double>, 4> forces_of(const ModulationTransfers& transfers, double frequency_hz, const std::array<std::complex<double>, 4>& irregularity_m);
 
