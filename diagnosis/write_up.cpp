@@ -9,6 +9,7 @@
 
 #include "diagnosis/compare_channels.hpp"
 #include "diagnosis/decay_rate_reference.hpp"
+#include "diagnosis/friction_levels.hpp"
 #include "diagnosis/inferred_curve.hpp"
 #include "diagnosis/interval.hpp"
 #include "diagnosis/scalar_likelihood.hpp"
@@ -308,6 +309,7 @@ class WritingUp {
                                                           effect.instance.effect, parameter.nats_against_one_value));
         for (const NamedEffect& effect : result_.omitted)
             if (const std::string& open = find_effect(effect.instance.effect)->not_told; !open.empty()) result_.remains.push_back(effect.instance.effect + ": " + open);
+        for (const std::string& said : said_of_friction(friction_levels(named_.fit.trial, believed_, observations_))) result_.remains.push_back(said);
         for (const std::string& said : wheel_unloading(named_.fit.trial, believed_, observations_)) result_.remains.push_back(said);
     }
 
