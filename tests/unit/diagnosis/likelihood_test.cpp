@@ -175,6 +175,25 @@ TEST(LikelihoodSlope, IsThatAtTheMostProbablePower) {
     }
 }
 
+// Wherever the search for a bin's power begins, it ends where its rest is worth less than a thousandth of a nat (whitened_bin.cpp).
+TEST(BinPowers, DoNotDependOnWhereTheSearchBegins) {
+    Synthesised made = synthesised(paper_believed({}), {15.0, 33.0}, 60.0, nine_channels(), {.window_s = 4.0, .low_hz = 2.0, .high_hz = 60.0});
+    made.draw(4);
+    LikelihoodContext context = made.context();
+    const Point point = point_of(made, context, 0.05);
+    const BinPowers found = bin_powers(point.trial, point.predictions, context);
+    BinPowers elsewhere = found;
+    double bins = 0.0;
+    for (std::vector<BinPower>& own : elsewhere.at)
+        for (BinPower& power : own) power.log_amplification += 0.3, power.bend = 0.0, bins += 1.0;
+    const auto likelihood_from = [&](const BinPowers& powers) {
+        context.powers = &powers;
+        return log_likelihood(point.trial, point.predictions, context);
+    };
+    EXPECT_NEAR(likelihood_from(found), found.log_likelihood, 1e-3 * bins);
+    EXPECT_NEAR(likelihood_from(elsewhere), found.log_likelihood, 1e-3 * bins);
+}
+
 // At the truth the score has mean 0 and the Fisher information as covariance. 400 draws: a whitened variance estimate has standard error
 // √(2/400) = 7 %, a mean 5 %. The mean square of many whitened components is far better determined; single ones get 5 standard errors.
 TEST(LikelihoodSlope, InformationIsTheCovarianceOfScores) {
