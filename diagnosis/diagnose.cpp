@@ -81,6 +81,7 @@ class Diagnosing {
         if (!naming_.sets.empty()) restore_caches(naming_.sets.front().fit, context_);
         if (!naming_.sets.empty()) study_.by_named = missed_by(naming_.sets.front().fit, context_);
         if (!naming_.sets.empty()) study_.by_recording = constancy(naming_.sets.front().fit, context_);
+        if (!naming_.sets.empty() && names_friction(naming_.sets.front())) study_.friction = friction_law(naming_.sets.front().fit, context_);
         if (!naming_.sets.empty() && naming_.sets.front().score() > naming_.retuned.score() + options_.thresholds.least_gain)
             study_.at_named = evidence(naming_.left_by_best.empty() ? locate(naming_.sets.front().fit, context_) : naming_.left_by_best);
         if (leaves_much()) {

@@ -51,6 +51,7 @@ struct ExpectationOptions {
     int rail_every = 8;             ///< the rail is smoother still: solved at one line of that grid in so many
     int oversampling = 4;           ///< fine lines per bin; at least 2·(1 + longest wheel delay/segment)
     int threads = 0;
+    double friction_power = 1.0;    ///< of the forces that friction has beside its equivalent damping, over that of a constant force
     pem::ContactDistortion contacts; ///< what they distort, but for the case's nonlinearity; not smoothed by the kernel: broad and weak
     recordings::KernelWeights weights;  ///< of the kernel, when whoever asks often has them already; else computed
 };

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
 
 #include "pem/linearise.hpp"
 
@@ -10,10 +13,14 @@ namespace railpem::diagnosis {
 
 namespace {
 
-void take_in(const double* begin, const double* end, FrictionLevel& level) {
-    const auto [least, most] = std::minmax_element(begin, end);
+/// Takes in the velocities of a recording's elements; `over_viscous` is a sum over `count` elements then.
+template <std::size_t elements>
+void take_in(const std::array<double, elements>& velocities, const vehicle::SuspensionParameters& stage, FrictionLevel& level, int& count) {
+    const auto [least, most] = std::minmax_element(velocities.begin(), velocities.end());
     level.slowest_m_per_s = level.fastest_m_per_s == 0.0 ? *least : std::min(level.slowest_m_per_s, *least);
     level.fastest_m_per_s = std::max(level.fastest_m_per_s, *most);
+    for (const double velocity : velocities) level.over_viscous += stage.friction_force_n * std::sqrt(2.0 / std::numbers::pi) / velocity / stage.damping_n_s_per_m;
+    count += static_cast<int>(elements);
 }
 
 pem::Linearisation linearisation_of(const pem::CaseParameters& parameters, double speed) {
@@ -25,15 +32,18 @@ pem::Linearisation linearisation_of(const pem::CaseParameters& parameters, doubl
 
 std::vector<FrictionLevel> friction_levels(const Trial& trial, const BelievedCase& believed, const std::vector<Observation>& observations) {
     FrictionLevel primary{.stage = Element::primary}, secondary{.stage = Element::secondary};
+    int primaries = 0, secondaries = 0;
     for (const Observation& observation : observations) {
         if (observation.scalar || observation.speed_m_per_s == 0.0) continue;
         const pem::CaseParameters parameters = case_of(trial, believed, observation);
-        const double first = parameters.vehicle.primary.friction_force_n, second = parameters.vehicle.secondary.friction_force_n;
-        if (first == 0.0 && second == 0.0) continue;
+        const vehicle::SuspensionParameters &first = parameters.vehicle.primary, &second = parameters.vehicle.secondary;
+        if (first.friction_force_n == 0.0 && second.friction_force_n == 0.0) continue;
         const pem::Linearisation own = linearisation_of(parameters, observation.speed_m_per_s);
-        if (first > 0.0) take_in(own.primary_velocity_m_per_s.begin(), own.primary_velocity_m_per_s.end(), primary);
-        if (second > 0.0) take_in(own.secondary_velocity_m_per_s.begin(), own.secondary_velocity_m_per_s.end(), secondary);
+        if (first.friction_force_n > 0.0) take_in(own.primary_velocity_m_per_s, first, primary, primaries);
+        if (second.friction_force_n > 0.0) take_in(own.secondary_velocity_m_per_s, second, secondary, secondaries);
     }
+    if (primaries > 0) primary.over_viscous /= primaries;
+    if (secondaries > 0) secondary.over_viscous /= secondaries;
     std::vector<FrictionLevel> levels{primary, secondary};
     std::erase_if(levels, [](const FrictionLevel& own) { return own.fastest_m_per_s == 0.0; });
     return levels;
@@ -41,9 +51,11 @@ std::vector<FrictionLevel> friction_levels(const Trial& trial, const BelievedCas
 
 std::vector<std::string> said_of_friction(const std::vector<FrictionLevel>& levels) {
     std::vector<std::string> said;
-    for (const FrictionLevel& own : levels)
-        said.push_back(fmt::format("the friction of the {} suspension is known at velocities of {:.2g} to {:.2g} mm/s (rms) across an element: at lower and higher ones it may be another", element_name(own.stage),
-                                   1000.0 * own.slowest_m_per_s, 1000.0 * own.fastest_m_per_s));
+    for (const FrictionLevel& own : levels) {
+        const std::string slowest = fmt::format("{:.2g}", 1000.0 * own.slowest_m_per_s), fastest = fmt::format("{:.2g}", 1000.0 * own.fastest_m_per_s);
+        said.push_back(fmt::format("the friction of the {} suspension is known at velocities of {} mm/s (rms) across an element: at lower and higher ones it may be another", element_name(own.stage),
+                                   slowest == fastest ? slowest : slowest + " to " + fastest));
+    }
     return said;
 }
 

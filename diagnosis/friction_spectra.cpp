@@ -10,7 +10,8 @@ namespace {
 void add_stage(const pem::CaseParameters& parameters, const SolvedLines& solved, const LevelLines& level, vehicle::Law law, double force, const std::vector<ObservedChannel>& channels,
                double bin_hz, ExpectedSpectra& expected) {
     const pem::VelocitySpectra velocity = pem::velocity_spectra(parameters, level.sources, solved.model, law, level.rails);
-    const std::vector<std::complex<double>> power = pem::friction_distortion(velocity, force);
+    std::vector<std::complex<double>> power = pem::friction_distortion(velocity, force);
+    for (std::complex<double>& own : power) own *= level.power;
     const long elements = static_cast<long>(velocity.elements);
     const LineTable psd{power.data(), elements, elements, velocity.from_hz, velocity.step_hz, velocity.lines};
     add_inner_forces(parameters, solved, law, [&](double f) { return psd.at(f); }, channels, bin_hz, expected);

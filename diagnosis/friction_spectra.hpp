@@ -10,10 +10,11 @@ namespace railpem::diagnosis {
 
 bool has_friction(const pem::CaseParameters& parameters);
 
-/// The excitation, and the rail on the lines on which velocities are asked for.
+/// The excitation, the rail on the lines on which velocities are asked for, and the power of the forces over that of a constant friction force.
 struct LevelLines {
     const std::vector<pem::Source>& sources;
     const std::vector<pem::RailGroup>& rails;  ///< pem::linearisation_rails()
+    double power = 1.0;
 };
 
 /// Adds the responses to the forces of friction (pem::friction_distortion), stage by stage.

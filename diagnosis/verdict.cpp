@@ -5,30 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace railpem::diagnosis {
 
 namespace {
 
-/// Scores far below the best carry no probability.
-double weight_of(double score, double best) { return std::exp(std::max(-700.0, score - best)); }
-
-double best_score(const NamingResult& naming, const Decision& decision) {
-    double best = std::max(naming.retuned.score(), decision.unknown_score);
-    for (const FittedSet& set : naming.sets) best = std::max(best, set.score());
-    return best;
-}
-
-/// Every member of `smaller` is in `larger`: the larger one does not contradict it, it only says more.
-bool contains(const FittedSet& larger, const FittedSet& smaller) {
-    const auto has = [&](const Candidate& member) {
-        return std::any_of(larger.effects.begin(), larger.effects.end(),
-                           [&](const Candidate& own) { return same_variant(own.instance, member.instance); });
-    };
-    const auto released = [&](const std::string& key) { return std::find(larger.released.begin(), larger.released.end(), key) != larger.released.end(); };
-    return std::all_of(smaller.effects.begin(), smaller.effects.end(), has) && std::all_of(smaller.released.begin(), smaller.released.end(), released);
-}
+constexpr const char* kFriction = "suspension-friction";
 
 constexpr double kHeldOutChance = 2.0;  ///< nats by which the unseen part may speak against a belief that was only given up: the retuned
                                         ///< case sits at nearly the same value, so that the sign of so small a difference is chance
@@ -61,6 +43,15 @@ bool is_at_weak_end(const EffectParameter& parameter, double coordinate) {
 }
 
 }  // namespace
+
+bool contains(const FittedSet& larger, const FittedSet& smaller) {
+    const auto has = [&](const Candidate& member) {
+        return std::any_of(larger.effects.begin(), larger.effects.end(),
+                           [&](const Candidate& own) { return same_variant(own.instance, member.instance); });
+    };
+    const auto released = [&](const std::string& key) { return std::find(larger.released.begin(), larger.released.end(), key) != larger.released.end(); };
+    return std::all_of(smaller.effects.begin(), smaller.effects.end(), has) && std::all_of(smaller.released.begin(), smaller.released.end(), released);
+}
 
 bool is_trifling(const FittedSet& set) {
     for (std::size_t u = 0; u < set.fit.unknowns.size(); ++u)
@@ -105,11 +96,22 @@ std::vector<std::string> labels_of(const FittedSet& set) {
     return labels;
 }
 
+std::vector<std::string> without_name_of_friction(std::vector<std::string> labels) {
+    std::replace(labels.begin(), labels.end(), std::string(kFriction), std::string("unknown"));
+    return labels;
+}
+
 std::vector<Element> elements_of(const FittedSet& set, const BelievedCase*) {
     std::vector<Element> elements;
     for (const Candidate& member : set.effects) elements.push_back(element_of(*find_effect(member.instance.effect), member.instance));
     for (const std::string& key : set.released) elements.push_back(element_of_key(key));
     return elements;
+}
+
+bool is_friction(const EffectInstance& instance) { return instance.effect == kFriction; }
+
+bool names_friction(const FittedSet& set) {
+    return std::any_of(set.effects.begin(), set.effects.end(), [](const Candidate& member) { return is_friction(member.instance); });
 }
 
 bool drop_superfluous(NamingResult& naming, const VerdictThresholds& thresholds) {
@@ -150,82 +152,17 @@ Decision decide(const NamingResult& naming, const PlaceStudy& places, const Verd
     const double residual_retuned = places.at_retuned.empty() ? 0.0 : places.at_retuned.front().nats;
     if (gains && decision.unknown_score < best->score() + thresholds.anonymous &&
         residual_named < nats_left(*best, nothing, thresholds.residual) && !leans(*best, nothing) &&
-        places.by_named <= misfit_left(*best, nothing, thresholds.residual) && inconstancy(places) < nats_left(*best, nothing, thresholds.residual))
-        decision.verdict = decision.credible.size() > 1 ? Verdict::ambiguous : only_sensors(*best) ? Verdict::recording_fault : Verdict::explained;
-    else if (gains)
+        places.by_named <= misfit_left(*best, nothing, thresholds.residual) && inconstancy(places) < nats_left(*best, nothing, thresholds.residual) &&
+        !(places.friction && is_another(*places.friction))) {
+        if (places.friction && is_open(*places.friction)) decision.other_friction = probability_of_another(*places.friction);
+        decision.verdict = decision.credible.size() > 1 || decision.other_friction > 0.0 ? Verdict::ambiguous : only_sensors(*best) ? Verdict::recording_fault : Verdict::explained;
+    } else if (gains)
         decision.verdict = Verdict::unexplained;
     else
         decision.verdict = std::max(decision.unknown_score - nothing, residual_retuned) > thresholds.residual || places.by_retuned > thresholds.residual
                                ? Verdict::unexplained
                                : Verdict::consistent;
     return decision;
-}
-
-std::vector<EffectSet> posterior_of(const NamingResult& naming, const Decision& decision) {
-    const double best = best_score(naming, decision);
-    double sum = weight_of(naming.retuned.score(), best) + weight_of(decision.unknown_score, best);
-    for (const FittedSet& set : naming.sets) sum += weight_of(set.score(), best);
-    std::vector<EffectSet> posterior;
-    for (const FittedSet& set : naming.sets) posterior.push_back({labels_of(set), weight_of(set.score(), best) / sum});
-    posterior.push_back({{}, weight_of(naming.retuned.score(), best) / sum});
-    posterior.push_back({{"unknown"}, weight_of(decision.unknown_score, best) / sum});
-    std::stable_sort(posterior.begin(), posterior.end(), [](const EffectSet& a, const EffectSet& b) { return a.probability > b.probability; });
-    return posterior;
-}
-
-namespace {
-
-/// How a set's probability is shared among its members: by what each brings beside the others, so that a small correction of a large
-/// effect does not stand beside it as an equal.
-std::vector<double> shares_of(const FittedSet& set, const NamingResult& naming) {
-    std::vector<double> shares;
-    double sum = 0.0;
-    for (std::size_t i = 0; i < set.members(); ++i) {
-        double without = naming.retuned.score();
-        FittedSet rest{.effects = set.effects, .released = set.released};
-        if (i < set.effects.size()) rest.effects.erase(rest.effects.begin() + static_cast<long>(i));
-        else rest.released.erase(rest.released.begin() + static_cast<long>(i - set.effects.size()));
-        for (const FittedSet& other : naming.sets)
-            if (contains(rest, other)) without = std::max(without, other.score());
-        shares.push_back(std::max(1.0, set.score() - without));
-        sum += shares.back();
-    }
-    for (double& share : shares) share /= sum;
-    return shares;
-}
-
-}  // namespace
-
-std::vector<PlaceEvidence> place_probabilities(const NamingResult& naming, const PlaceStudy& places, const Decision& decision) {
-    std::map<Element, PlaceEvidence> found;
-    for (const PlaceEvidence& place : places.at_retuned) found[place.element] = {.element = place.element, .nats = place.nats, .forces = place.forces};
-    const double best = best_score(naming, decision);
-    double sum = weight_of(decision.unknown_score, best);
-    for (const FittedSet& set : naming.sets) sum += weight_of(set.score(), best);
-    sum += weight_of(naming.retuned.score(), best);
-    for (const FittedSet& set : naming.sets) {
-        const std::vector<Element> elements = elements_of(set, nullptr);
-        const std::vector<double> shares = shares_of(set, naming);
-        for (std::size_t i = 0; i < elements.size(); ++i) {
-            found[elements[i]].element = elements[i];
-            found[elements[i]].probability += weight_of(set.score(), best) / sum * shares[i];
-        }
-    }
-    // What has no name sits where a free correction helps most.
-    const double unknown = weight_of(decision.unknown_score, best) / sum;
-    double highest = -1e300, shares = 0.0;
-    for (const FittedSet& set : places.anonymous) highest = std::max(highest, set.score());
-    for (const FittedSet& set : places.anonymous) shares += weight_of(set.score(), highest);
-    for (const FittedSet& set : places.anonymous) {
-        found[set.anonymous.front().element].element = set.anonymous.front().element;
-        found[set.anonymous.front().element].probability += unknown * weight_of(set.score(), highest) / shares;
-    }
-    std::vector<PlaceEvidence> ranked;
-    for (const auto& [element, evidence] : found) ranked.push_back(evidence);
-    std::stable_sort(ranked.begin(), ranked.end(), [](const PlaceEvidence& a, const PlaceEvidence& b) {
-        return a.probability != b.probability ? a.probability > b.probability : a.nats > b.nats;
-    });
-    return ranked;
 }
 
 namespace {
@@ -241,6 +178,11 @@ std::string named_in_words(const Diagnosis& diagnosis) {
         parts.push_back(fmt::format("{} ({})", effect.says, fmt::join(values, ", ")));
     }
     return fmt::format("{}", fmt::join(parts, "; and "));
+}
+
+std::vector<std::string> in_words(std::vector<std::string> effects) {
+    std::replace(effects.begin(), effects.end(), std::string("unknown"), std::string("something there without a name"));
+    return effects;
 }
 
 std::string place_in_words(const Diagnosis& diagnosis) {
@@ -269,7 +211,7 @@ std::string statement_of(const Diagnosis& diagnosis) {
         case Verdict::recording_fault: return fmt::format("The recording is at fault, not the physics: {}. {}", named_in_words(diagnosis), gain);
         case Verdict::ambiguous: {
             std::vector<std::string> sets;
-            for (const Rival& rival : diagnosis.rivals) sets.push_back(fmt::format("{} ({:.0f} %)", fmt::join(rival.effects, " with "), 100.0 * rival.probability));
+            for (const Rival& rival : diagnosis.rivals) sets.push_back(fmt::format("{} ({:.0f} %)", fmt::join(in_words(rival.effects), " with "), 100.0 * rival.probability));
             return fmt::format("Something is missing, and these cannot be told apart with what was recorded: {}. What would decide: {}.", fmt::join(sets, ", or "),
                                diagnosis.rivals.empty() ? "" : diagnosis.rivals.front().would_separate);
         }

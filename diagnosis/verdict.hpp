@@ -3,6 +3,7 @@
 
 #include "diagnosis/constancy.hpp"
 #include "diagnosis/diagnose.hpp"
+#include "diagnosis/friction_law.hpp"
 #include "diagnosis/model_error.hpp"
 
 namespace railpem::diagnosis {
@@ -14,6 +15,7 @@ struct PlaceStudy {
     std::vector<FittedSet> anonymous;       ///< fully fitted free corrections of the best places
     bool named_stands = true;               ///< where the unknown outdoes the best set: whether that explains something beside it
     std::vector<ParameterByRecording> by_recording;  ///< of the best set
+    std::optional<FrictionLaw> friction;    ///< of the best set, where it names friction
     double by_retuned = 0.0;                ///< nats that the retuned case misses: missed_by()
     double by_named = 0.0;                  ///< and the best set
 };
@@ -23,6 +25,7 @@ struct Decision {
     Verdict verdict = Verdict::consistent;
     const FittedSet* named = nullptr;       ///< the best set, if it deserves to be named
     std::vector<const FittedSet*> credible; ///< named and its rivals
+    double other_friction = 0.0;            ///< probability that the friction of the best set, which would else be named, is of another law: a rival without a name; 0 where the recordings settle it
     double unknown_score = -1e300;          ///< of the best anonymous correction
 };
 
@@ -33,6 +36,9 @@ bool drop_superfluous(NamingResult& naming, const VerdictThresholds& thresholds)
 /// A member is smaller than anybody would speak of, or lies on the weak end of its range: it makes up for what a law beside it is off by.
 bool is_trifling(const FittedSet& set);
 
+bool is_friction(const EffectInstance& instance);
+bool names_friction(const FittedSet& set);
+
 /// A set needs a parameter beyond the range of its physics, by more than chance and than what its own law may leave; `nothing`: score of nothing added.
 bool leans(const FittedSet& set, double nothing);
 
@@ -41,14 +47,14 @@ double inconstancy(const PlaceStudy& study);
 
 Decision decide(const NamingResult& naming, const PlaceStudy& places, const VerdictThresholds& thresholds);
 
-/// Probabilities of all sets, of nothing and of the unknown; sums to 1.
-std::vector<EffectSet> posterior_of(const NamingResult& naming, const Decision& decision);
-
-/// Places with their probability: those of the sets weighted by their probability, the unknown's by its evidence.
-std::vector<PlaceEvidence> place_probabilities(const NamingResult& naming, const PlaceStudy& places, const Decision& decision);
+/// Every member of `smaller` is in `larger`: the larger one does not contradict it, it only says more.
+bool contains(const FittedSet& larger, const FittedSet& smaller);
 
 /// Labels of a set's members, parameter-errors included.
 std::vector<std::string> labels_of(const FittedSet& set);
+
+/// The same where friction is of a law that has no name here: "unknown" in its place.
+std::vector<std::string> without_name_of_friction(std::vector<std::string> labels);
 
 /// Elements of a set's members.
 std::vector<Element> elements_of(const FittedSet& set, const BelievedCase* believed);

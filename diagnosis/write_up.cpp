@@ -12,8 +12,9 @@
 #include "diagnosis/friction_levels.hpp"
 #include "diagnosis/inferred_curve.hpp"
 #include "diagnosis/interval.hpp"
+#include "diagnosis/posterior.hpp"
+#include "diagnosis/rivals.hpp"
 #include "diagnosis/scalar_likelihood.hpp"
-#include "diagnosis/separate.hpp"
 #include "diagnosis/shows.hpp"
 #include "diagnosis/wheel_unloading.hpp"
 
@@ -24,7 +25,7 @@ namespace {
 class WritingUp {
   public:
     WritingUp(const Findings& found, Diagnosis& result)
-        : believed_(found.believed), observations_(found.observations), context_(found.context), thresholds_(found.thresholds), naming_(found.naming),
+        : found_(found), believed_(found.believed), observations_(found.observations), context_(found.context), thresholds_(found.thresholds), naming_(found.naming),
           study_(found.study), decision_(found.decision), retuned_(found.retuned), named_(found.named), result_(result) {}
 
     void run() {
@@ -36,7 +37,7 @@ class WritingUp {
         report_margins();
         const bool names = decision.named && decision.verdict != Verdict::ambiguous && decision.verdict != Verdict::consistent;
         if (names) report_omitted(decision);
-        report_rivals(decision);
+        result_.rivals = rivals_of(found_);
         report_numbers();
         report_curve();
         for (const NotTested& not_tested : naming_.not_tested) result_.not_tested.push_back(not_tested.effect + ": " + not_tested.why);
@@ -119,25 +120,13 @@ class WritingUp {
         return sum;
     }
 
-    double probability_with(const Decision& decision, const std::function<bool(const FittedSet&)>& has) const {
-        double with = 0.0, all = 0.0, best = std::max(naming_.retuned.score(), decision.unknown_score);
-        for (const FittedSet& set : naming_.sets) best = std::max(best, set.score());
-        const auto weight = [&](double score) { return std::exp(std::max(-700.0, score - best)); };
-        all = weight(naming_.retuned.score()) + weight(decision.unknown_score);
-        for (const FittedSet& set : naming_.sets) {
-            all += weight(set.score());
-            if (has(set)) with += weight(set.score());
-        }
-        return with / all;
-    }
-
     void report_omitted(const Decision& decision) {
         const std::size_t own = believed_.effects.size();
         for (std::size_t i = 0; i < named_.effects.size(); ++i) {
             const EffectInstance& instance = named_.fit.trial.effects[own + i];
             const Effect& effect = *find_effect(instance.effect);
             NamedEffect named{.instance = instance, .element = element_of(effect, instance), .says = effect.says, .source = effect.source};
-            named.probability = probability_with(decision, [&](const FittedSet& set) {
+            named.probability = probability_with(naming_, decision, [&](const FittedSet& set) {
                 return std::any_of(set.effects.begin(), set.effects.end(), [&](const Candidate& member) { return same_variant(member.instance, instance); });
             });
             for (std::size_t u = 0; u < named_.fit.unknowns.size(); ++u) {
@@ -173,7 +162,7 @@ class WritingUp {
         named.says = find_effect("parameter-error")->says;
         named.source = find_effect("parameter-error")->source;
         named.parameters.push_back({"factor", std::exp(x), std::exp(x - reach), std::exp(x + reach), "1"});
-        named.probability = probability_with(decision, [&](const FittedSet& set) { return std::find(set.released.begin(), set.released.end(), key) != set.released.end(); });
+        named.probability = probability_with(naming_, decision, [&](const FittedSet& set) { return std::find(set.released.begin(), set.released.end(), key) != set.released.end(); });
         named.nats_fitted = decision.named->fit.log_likelihood - naming_.retuned.fit.log_likelihood;
         named.nats_held_out = decision.named->held_out - naming_.retuned.held_out;
         result_.omitted.push_back(std::move(named));
@@ -192,33 +181,6 @@ class WritingUp {
         }
         named.nats_fitted = best.fit.log_likelihood - without->fit.log_likelihood;
         named.nats_held_out = best.held_out - without->held_out;
-    }
-
-    void report_rivals(const Decision& decision) {
-        const FittedSet* best = naming_.sets.empty() ? nullptr : &naming_.sets.front();
-        if (!best) return;
-        constexpr std::size_t kMostRivals = 6;
-        const bool ambiguous = decision.verdict == Verdict::ambiguous;
-        for (const FittedSet& set : naming_.sets) {
-            if (result_.rivals.size() >= kMostRivals) break;
-            const bool credible = std::find(decision.credible.begin(), decision.credible.end(), &set) != decision.credible.end();
-            if (ambiguous ? !credible : &set == decision.named) continue;
-            Rival rival{.effects = labels_of(set), .nats_behind = best->score() - set.score()};
-            const std::size_t own = believed_.effects.size();
-            rival.instances.assign(set.fit.trial.effects.begin() + static_cast<long>(own), set.fit.trial.effects.end());
-            for (const std::string& key : set.released) {
-                std::size_t u = 0;
-                set.fit.find(key, &u);
-                rival.instances.push_back({.effect = "parameter-error", .values = {{"factor", std::exp(set.fit.values[u])}}, .choices = {{"parameter", key}}});
-            }
-            rival.probability = probability_with(decision, [&](const FittedSet& other) { return &other == &set; });
-            rival.why_not = set.score() < naming_.retuned.score() + thresholds_.least_gain ? "it explains no more than its own freedom costs"
-                            : rival.nats_behind < thresholds_.credible ? "nothing speaks against it so far"
-                                                                               : "the data are less probable under it by e^" + std::to_string(static_cast<int>(rival.nats_behind));
-            const FittedSet* other = &set == best ? (decision.credible.size() > 1 ? decision.credible[1] : nullptr) : best;
-            if (other && result_.rivals.size() < 3) rival.would_separate = would_separate(*other, set, believed_, observations_);
-            result_.rivals.push_back(std::move(rival));
-        }
     }
 
     std::vector<RetunedNumber> numbers_of(const Fit& fit) const {
@@ -309,10 +271,12 @@ class WritingUp {
                                                           effect.instance.effect, parameter.nats_against_one_value));
         for (const NamedEffect& effect : result_.omitted)
             if (const std::string& open = find_effect(effect.instance.effect)->not_told; !open.empty()) result_.remains.push_back(effect.instance.effect + ": " + open);
+        if (study_.friction) result_.remains.push_back(said_of(*study_.friction));
         for (const std::string& said : said_of_friction(friction_levels(named_.fit.trial, believed_, observations_))) result_.remains.push_back(said);
         for (const std::string& said : wheel_unloading(named_.fit.trial, believed_, observations_)) result_.remains.push_back(said);
     }
 
+    const Findings& found_;
     const BelievedCase& believed_;
     const std::vector<Observation>& observations_;
     const LikelihoodContext& context_;

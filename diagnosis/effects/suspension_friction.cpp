@@ -32,8 +32,8 @@ Effect suspension_friction() {
             "A stronger damper of that stage (parameter-error) at one level of excitation; a rougher section, or "
             "another speed, changes the equivalent damping of friction and leaves a damper as it is.",
         .not_told =
-            "whether it holds more at rest than it slides with (stick-slip): both damp alike, and the force named is "
-            "then 1.3 to 2 times that of sliding; runs at very different levels of vibration would show it",
+            "how much harder it holds at rest than it slides (stick-slip): where runs at several speeds do not rule that "
+            "out the verdict is ambiguous; what holds a little harder is named, with 1.1 to 1.4 times the force of sliding",
         .approximate = true,
         .obstacle = {},
         .apply =

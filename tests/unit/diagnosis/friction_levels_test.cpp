@@ -9,13 +9,13 @@ namespace {
 
 constexpr double kTwice_db = 6.020599913279624;
 
-Synthesised two_speeds() { return synthesised(paper_believed({}), {15.0, 33.0}, 20.0, {"wheel_1"}, kSmall); }
+Synthesised slow_and_fast() { return synthesised(paper_believed({}), {15.0, 33.0}, 20.0, {"wheel_1"}, kSmall); }
 
 std::vector<FrictionLevel> levels_of(const Synthesised& made, const Trial& trial) { return friction_levels(trial, made.believed, made.shapes); }
 
 // So little friction changes nothing, and velocities go with the irregularity.
 TEST(FrictionLevels, AreVelocitiesThatDoubleWithTheIrregularity) {
-    const Synthesised made = two_speeds();
+    const Synthesised made = slow_and_fast();
     Trial trial = believed_trial(made.believed, made.shapes);
     EXPECT_TRUE(levels_of(made, trial).empty());
     trial.numbers.vehicle.primary.friction_force_n = 1e-6;
@@ -30,8 +30,21 @@ TEST(FrictionLevels, AreVelocitiesThatDoubleWithTheIrregularity) {
     EXPECT_NEAR(twice[0].fastest_m_per_s, 2.0 * once[0].fastest_m_per_s, 1e-6 * once[0].fastest_m_per_s);
 }
 
+// Its equivalent damping F·√(2/π)/σ goes with the force and, so little of it, against the velocity.
+TEST(FrictionLevels, WeighItAgainstTheDamperOfItsStage) {
+    const Synthesised made = slow_and_fast();
+    Trial trial = believed_trial(made.believed, made.shapes);
+    trial.numbers.vehicle.primary.friction_force_n = 1e-3;
+    const FrictionLevel once = levels_of(made, trial).front();
+    const double damping = trial.numbers.vehicle.primary.damping_n_s_per_m, least = 1e-3 * 0.7978845608 / damping / once.fastest_m_per_s, most = 1e-3 * 0.7978845608 / damping / once.slowest_m_per_s;
+    EXPECT_GT(once.over_viscous, least);
+    EXPECT_LT(once.over_viscous, most);
+    trial.numbers.vehicle.primary.friction_force_n = 2e-3;
+    EXPECT_NEAR(levels_of(made, trial).front().over_viscous, 2.0 * once.over_viscous, 1e-6 * once.over_viscous);
+}
+
 TEST(FrictionLevels, SayWhere) {
-    const Synthesised made = two_speeds();
+    const Synthesised made = slow_and_fast();
     Trial trial = believed_trial(made.believed, made.shapes);
     trial.numbers.vehicle.secondary.friction_force_n = 500.0;
     const std::vector<std::string> said = said_of_friction(levels_of(made, trial));

@@ -1,5 +1,6 @@
 // Decisions over sets whose evidences are given.
 
+#include "diagnosis/posterior.hpp"
 #include "diagnosis/verdict.hpp"
 
 #include <gtest/gtest.h>
@@ -219,6 +220,45 @@ TEST(Decide, WithholdsTheNameWhereRecordingsDisagreeAboutIt) {
     }
 }
 
+// The forces that friction has beside its damping have the power of a constant force's, more of it, or nobody knows.
+TEST(Decide, AsksWhetherFrictionIsConstant) {
+    const NamingResult naming = naming_of({set_of({"suspension-friction"}, {}, 1000.0, 300.0)});
+    for (const auto& [power, deviation, verdict] :
+         {std::tuple(1.1, 0.05, Verdict::explained), std::tuple(1.7, 0.05, Verdict::unexplained), std::tuple(1.7, 0.2, Verdict::ambiguous), std::tuple(1.1, 0.3, Verdict::ambiguous)}) {
+        PlaceStudy study;
+        study.friction = FrictionLaw{power, deviation, 0.5};
+        const Decision decision = decide(naming, study, thresholds);
+        EXPECT_EQ(decision.verdict, verdict) << power;
+        EXPECT_EQ(decision.other_friction > 0.0, verdict == Verdict::ambiguous) << power;
+        EXPECT_NE(decision.named, nullptr) << "it sits there, whatever its law";
+    }
+}
+
+TEST(Posterior, HasOneUnknown) {
+    const NamingResult naming = naming_of({set_of({"suspension-friction"}, {}, 1000.0, 300.0)});
+    PlaceStudy study;
+    study.friction = FrictionLaw{1.335, 0.3, 0.5};
+    const std::vector<EffectSet> posterior = posterior_of(naming, decide(naming, study, thresholds));
+    ASSERT_EQ(posterior.size(), 3u);
+    for (const EffectSet& own : posterior) EXPECT_NEAR(own.probability, own.effects.empty() ? 0.0 : 0.5, 1e-12);
+}
+
+TEST(Posterior, GivesFrictionOfAnotherLawItsShare) {
+    const NamingResult naming = naming_of({set_of({"suspension-friction", "sensor-gain"}, {}, 1000.0, 300.0)});
+    PlaceStudy study;
+    study.friction = FrictionLaw{1.335, 0.3, 0.5};
+    const std::vector<EffectSet> posterior = posterior_of(naming, decide(naming, study, thresholds));
+    double sum = 0.0, constant = 0.0, other = 0.0;
+    for (const EffectSet& own : posterior) {
+        sum += own.probability;
+        if (own.effects == std::vector<std::string>{"suspension-friction", "sensor-gain"}) constant = own.probability;
+        if (own.effects == std::vector<std::string>{"unknown", "sensor-gain"}) other = own.probability;
+    }
+    EXPECT_NEAR(sum, 1.0, 1e-12);
+    EXPECT_NEAR(constant, 0.5, 1e-12);
+    EXPECT_NEAR(other, 0.5, 1e-12);
+}
+
 TEST(Decide, NamesNothingThatTheUnseenDoesNotRepeat) {
     const auto verdict_of = [](double gain, double repeated) {
         NamingResult naming = naming_of({set_of({"rail-shear"}, {}, 50.0, repeated)});
@@ -254,6 +294,14 @@ TEST(Statement, AmbiguousNamesBothAndWhatWouldDecide) {
     diagnosis.verdict = Verdict::ambiguous;
     diagnosis.rivals = {{.effects = {"rail-damper"}, .probability = 0.62, .would_separate = "a run at 33 m/s"}, {.effects = {"rail-shear", "sensor-gain"}, .probability = 0.38}};
     EXPECT_EQ(statement_of(diagnosis), "Something is missing, and these cannot be told apart with what was recorded: rail-damper (62 %), or rail-shear with sensor-gain (38 %). "
+                                       "What would decide: a run at 33 m/s.");
+}
+
+TEST(Statement, AmbiguousWithoutANameSaysSo) {
+    Diagnosis diagnosis;
+    diagnosis.verdict = Verdict::ambiguous;
+    diagnosis.rivals = {{.effects = {"suspension-friction"}, .probability = 0.8, .would_separate = "a run at 33 m/s"}, {.effects = {"unknown"}, .probability = 0.2}};
+    EXPECT_EQ(statement_of(diagnosis), "Something is missing, and these cannot be told apart with what was recorded: suspension-friction (80 %), or something there without a name (20 %). "
                                        "What would decide: a run at 33 m/s.");
 }
 

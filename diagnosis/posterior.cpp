@@ -1,0 +1,107 @@
+#include "diagnosis/posterior.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace railpem::diagnosis {
+
+namespace {
+
+/// Scores far below the best carry no probability.
+double weight_of(double score, double best) { return std::exp(std::max(-700.0, score - best)); }
+
+double best_score(const NamingResult& naming, const Decision& decision) {
+    double best = std::max(naming.retuned.score(), decision.unknown_score);
+    for (const FittedSet& set : naming.sets) best = std::max(best, set.score());
+    return best;
+}
+
+}  // namespace
+
+std::vector<EffectSet> posterior_of(const NamingResult& naming, const Decision& decision) {
+    const double best = best_score(naming, decision);
+    double sum = weight_of(naming.retuned.score(), best) + weight_of(decision.unknown_score, best);
+    for (const FittedSet& set : naming.sets) sum += weight_of(set.score(), best);
+    std::vector<EffectSet> posterior;
+    for (const FittedSet& set : naming.sets) posterior.push_back({labels_of(set), weight_of(set.score(), best) / sum});
+    posterior.push_back({{}, weight_of(naming.retuned.score(), best) / sum});
+    posterior.push_back({{"unknown"}, weight_of(decision.unknown_score, best) / sum});
+    if (decision.other_friction > 0.0) {
+        EffectSet& constant = posterior.front();  // the best set
+        const EffectSet other{without_name_of_friction(constant.effects), decision.other_friction * constant.probability};
+        constant.probability -= other.probability;
+        const auto same = std::find_if(posterior.begin(), posterior.end(), [&](const EffectSet& own) { return own.effects == other.effects; });
+        if (same == posterior.end()) posterior.push_back(other);
+        else same->probability += other.probability;
+    }
+    std::stable_sort(posterior.begin(), posterior.end(), [](const EffectSet& a, const EffectSet& b) { return a.probability > b.probability; });
+    return posterior;
+}
+
+double probability_with(const NamingResult& naming, const Decision& decision, const std::function<bool(const FittedSet&)>& has) {
+    const double best = best_score(naming, decision);
+    double with = 0.0, all = weight_of(naming.retuned.score(), best) + weight_of(decision.unknown_score, best);
+    for (const FittedSet& set : naming.sets) {
+        all += weight_of(set.score(), best);
+        if (has(set)) with += weight_of(set.score(), best);
+    }
+    return with / all;
+}
+
+namespace {
+
+/// How a set's probability is shared among its members: by what each brings beside the others, so that a small correction of a large
+/// effect does not stand beside it as an equal.
+std::vector<double> shares_of(const FittedSet& set, const NamingResult& naming) {
+    std::vector<double> shares;
+    double sum = 0.0;
+    for (std::size_t i = 0; i < set.members(); ++i) {
+        double without = naming.retuned.score();
+        FittedSet rest{.effects = set.effects, .released = set.released};
+        if (i < set.effects.size()) rest.effects.erase(rest.effects.begin() + static_cast<long>(i));
+        else rest.released.erase(rest.released.begin() + static_cast<long>(i - set.effects.size()));
+        for (const FittedSet& other : naming.sets)
+            if (contains(rest, other)) without = std::max(without, other.score());
+        shares.push_back(std::max(1.0, set.score() - without));
+        sum += shares.back();
+    }
+    for (double& share : shares) share /= sum;
+    return shares;
+}
+
+}  // namespace
+
+std::vector<PlaceEvidence> place_probabilities(const NamingResult& naming, const PlaceStudy& places, const Decision& decision) {
+    std::map<Element, PlaceEvidence> found;
+    for (const PlaceEvidence& place : places.at_retuned) found[place.element] = {.element = place.element, .nats = place.nats, .forces = place.forces};
+    const double best = best_score(naming, decision);
+    double sum = weight_of(decision.unknown_score, best);
+    for (const FittedSet& set : naming.sets) sum += weight_of(set.score(), best);
+    sum += weight_of(naming.retuned.score(), best);
+    for (const FittedSet& set : naming.sets) {
+        const std::vector<Element> elements = elements_of(set, nullptr);
+        const std::vector<double> shares = shares_of(set, naming);
+        for (std::size_t i = 0; i < elements.size(); ++i) {
+            found[elements[i]].element = elements[i];
+            found[elements[i]].probability += weight_of(set.score(), best) / sum * shares[i];
+        }
+    }
+    // What has no name sits where a free correction helps most.
+    const double unknown = weight_of(decision.unknown_score, best) / sum;
+    double highest = -1e300, shares = 0.0;
+    for (const FittedSet& set : places.anonymous) highest = std::max(highest, set.score());
+    for (const FittedSet& set : places.anonymous) shares += weight_of(set.score(), highest);
+    for (const FittedSet& set : places.anonymous) {
+        found[set.anonymous.front().element].element = set.anonymous.front().element;
+        found[set.anonymous.front().element].probability += unknown * weight_of(set.score(), highest) / shares;
+    }
+    std::vector<PlaceEvidence> ranked;
+    for (const auto& [element, evidence] : found) ranked.push_back(evidence);
+    std::stable_sort(ranked.begin(), ranked.end(), [](const PlaceEvidence& a, const PlaceEvidence& b) {
+        return a.probability != b.probability ? a.probability > b.probability : a.nats > b.nats;
+    });
+    return ranked;
+}
+
+}  // namespace railpem::diagnosis

@@ -1,0 +1,109 @@
+// The power of friction's own forces, on recordings drawn with that of a constant force and with four times as much.
+
+#include "diagnosis/friction_law.hpp"
+#include "diagnosis/friction_run.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/unit/diagnosis/synthesised_fixture.hpp"
+
+namespace railpem::diagnosis {
+namespace {
+
+const EffectInstance kFriction{.effect = "suspension-friction", .values = {{"force_n", 1500.0}}, .choices = {{"stage", "primary"}}};
+
+Synthesised with_friction(const std::vector<double>& speeds, double power) {
+    Synthesised made = synthesised(paper_believed({"vehicle.primary.damping_n_s_per_m", "vehicle.bogie_mass_kg"}), speeds, 60.0, nine_channels(), kSmall);
+    made.truth.effects = {kFriction};
+    for (Observation& shape : made.shapes) shape.expectation.friction_power = power;
+    made.draw(5);
+    for (Observation& drawn : made.observations) drawn.expectation.friction_power = 1.0;
+    return made;
+}
+
+Fit fitted(const Synthesised& made) {
+    Trial trial = believed_trial(made.believed, made.observations);
+    trial.effects.push_back(kFriction);
+    std::vector<Unknown> unknowns = nuisance_unknowns(made.believed, made.observations);
+    std::vector<double> start = means(unknowns);
+    for (const Unknown& unknown : effect_unknowns(kFriction, 0)) {
+        unknowns.push_back(unknown);
+        start.push_back(to_coordinate(*parameter_of(unknown), kFriction.values.at("force_n")));
+    }
+    Fit own = fit(trial, unknowns, start, made.context());
+    restore_caches(own, made.context());
+    return own;
+}
+
+FrictionLaw law_of(const Synthesised& made) { return friction_law(fitted(made), made.context()).value(); }
+
+TEST(FrictionLaw, OfAConstantForceHasItsPower) {
+    const FrictionLaw law = law_of(with_friction({15.0, 22.2, 33.0}, 1.0));
+    EXPECT_LT(law.deviation, 0.1);
+    EXPECT_NEAR(law.power, 1.0, 3.0 * law.deviation);
+    EXPECT_FALSE(is_another(law));
+    EXPECT_FALSE(is_open(law));
+}
+
+// What is fitted bends towards it: the first order sees less than is there, and enough.
+TEST(FrictionLaw, OfAnotherForceHasAnother) {
+    const FrictionLaw law = law_of(with_friction({15.0, 22.2, 33.0}, 4.0));
+    EXPECT_GT(law.power - 3.0 * law.deviation, 1.5);
+}
+
+// At one speed damping and friction do the same, and the force is known by this power alone.
+TEST(FrictionLaw, IsKnownWorseAtOneSpeed) {
+    const FrictionLaw one = law_of(with_friction({22.2}, 1.0)), three = law_of(with_friction({15.0, 22.2, 33.0}, 1.0));
+    EXPECT_GT(one.deviation, 4.0 * three.deviation) << one.deviation << " " << three.deviation;
+    EXPECT_TRUE(is_open(one)) << one.power;
+}
+
+// What a further run is said to tell is what it tells.
+TEST(FrictionRun, TellsWhatItPromises) {
+    const Synthesised one = with_friction({22.2}, 1.0), two = with_friction({22.2, 33.3}, 1.0);
+    EXPECT_NEAR(deviation_with_run(fitted(one), 33.3, one.context()), law_of(two).deviation, 0.3 * law_of(two).deviation);
+}
+
+TEST(FrictionRun, IsAtAnotherSpeed) {
+    const Synthesised one = with_friction({22.2}, 1.0);
+    const Fit own = fitted(one);
+    const double same = deviation_with_run(own, 22.2, one.context()), faster = deviation_with_run(own, 33.3, one.context()), slower = deviation_with_run(own, 13.32, one.context());
+    EXPECT_LT(std::min(faster, slower), 0.2 * same);
+    const std::string said = would_tell_friction(own, one.context());
+    EXPECT_EQ(said.find(faster < slower ? "a minute at 120 km/h," : "a minute at 48 km/h,"), 0u) << said;
+}
+
+TEST(FrictionLaw, IsNoneWithoutFriction) {
+    Synthesised made = synthesised(paper_believed({"vehicle.bogie_mass_kg"}), {22.2}, 20.0, {"bogie_1"}, kSmall);
+    made.draw(5);
+    const Trial trial = believed_trial(made.believed, made.observations);
+    const std::vector<Unknown> unknowns = nuisance_unknowns(made.believed, made.observations);
+    Fit own = fit(trial, unknowns, means(unknowns), made.context());
+    restore_caches(own, made.context());
+    EXPECT_FALSE(friction_law(own, made.context()));
+}
+
+TEST(FrictionLaw, IsSettledByTwoOrThreeDeviations) {
+    for (const auto& [power, deviation, another, open] : {std::tuple(1.1, 0.02, false, false), std::tuple(1.7, 0.02, true, false), std::tuple(1.7, 0.2, false, true), std::tuple(1.0, 0.3, false, true)}) {
+        const FrictionLaw law{power, deviation, 0.5};
+        EXPECT_EQ(is_another(law), another) << power;
+        EXPECT_EQ(is_open(law), open) << power;
+    }
+}
+
+// The stronger friction is beside the damper of its stage, the more power a constant one has.
+TEST(FrictionLaw, AllowsAStrongForceMore) {
+    EXPECT_TRUE(is_another({1.6, 0.02, 0.5}));
+    EXPECT_FALSE(is_another({1.6, 0.02, 3.0}));
+    EXPECT_FALSE(is_open({1.6, 0.02, 3.0}));
+    EXPECT_TRUE(is_open({1.6, 0.02, 10.0})) << "beyond what was calibrated";
+}
+
+TEST(FrictionLaw, IsAnotherWithTheProbabilityThatItIsBeyond) {
+    const double middle = FrictionLaw{1.0, 0.0, 0.5}.constant_at_most() + 0.125;
+    EXPECT_NEAR(probability_of_another({middle, 0.3, 0.5}), 0.5, 1e-12);
+    EXPECT_NEAR(probability_of_another({middle - 0.325, 0.3, 0.5}), 0.158655253931457, 1e-12);  // a deviation below: 0.325² = 0.3² + 0.125²
+}
+
+}  // namespace
+}  // namespace railpem::diagnosis
