@@ -15,7 +15,7 @@ namespace railpem::diagnosis {
 namespace {
 
 // docs/theory/diagnosis.md
-constexpr double kConstant = 1.1, kPerOverViscous = 0.22, kStrongest = 4.0, kUncertain = 0.25;
+constexpr double kConstant = 1.1, kPerOverViscous = 0.22, kUncertain = 0.25;
 constexpr double kAgainst = 3.0, kWithin = 2.0;  // deviations
 
 std::vector<Observation> with_power(const std::vector<Observation>& observations, double power) {
@@ -52,22 +52,25 @@ std::optional<FrictionLaw> friction_law(const Fit& fit, const LikelihoodContext&
     return law;
 }
 
-double FrictionLaw::constant_at_most() const { return kConstant + kPerOverViscous * std::min(over_viscous, kStrongest); }
+double FrictionLaw::constant_below() const { return kConstant + kPerOverViscous * std::min(over_viscous, 1.0); }
 
-bool is_another(const FrictionLaw& law) { return law.power - kAgainst * law.deviation > law.constant_at_most() + kUncertain; }
+double FrictionLaw::another_above() const { return kConstant + kPerOverViscous * over_viscous + kUncertain; }
 
-bool is_open(const FrictionLaw& law) { return !is_another(law) && (law.over_viscous > kStrongest || law.power + kWithin * law.deviation > law.constant_at_most()); }
+bool is_another(const FrictionLaw& law) { return law.power - kAgainst * law.deviation > law.another_above(); }
+
+bool is_open(const FrictionLaw& law) { return !is_another(law) && law.power + kWithin * law.deviation > law.constant_below(); }
 
 double probability_of_another(const FrictionLaw& law) {
-    return 0.5 * std::erfc((law.constant_at_most() + 0.5 * kUncertain - law.power) / (std::hypot(law.deviation, 0.5 * kUncertain) * std::numbers::sqrt2));
+    const double middle = 0.5 * (law.constant_below() + law.another_above()), reach = 0.5 * (law.another_above() - law.constant_below());
+    return 0.5 * std::erfc((middle - law.power) / (std::hypot(law.deviation, reach) * std::numbers::sqrt2));
 }
 
 std::string said_of(const FrictionLaw& law) {
     const char* meaning = is_another(law) ? "it is not constant, and sticks harder than it slides or follows another law of the velocity"
                           : is_open(law)  ? "it may be constant, or stick harder than it slides"
-                                          : "a constant force may";
-    return fmt::format("friction: the forces that it has beside its damping have {:.2f} +- {:.2f} times the power that a constant force has where velocities are Gaussian, and {:.2f} at most where it is as strong as here: {}",
-                       law.power, law.deviation, law.constant_at_most(), meaning);
+                                          : "it is constant";
+    return fmt::format("friction: the forces that it has beside its damping have {:.2f} +- {:.2f} times the power that a constant force has where velocities are Gaussian; as strong as here it is constant below {:.2f} and another above {:.2f}: {}",
+                       law.power, law.deviation, law.constant_below(), law.another_above(), meaning);
 }
 
 }  // namespace railpem::diagnosis

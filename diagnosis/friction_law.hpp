@@ -15,21 +15,23 @@ struct FrictionLaw {
     double deviation = 0.0;
     double over_viscous = 0.0;  ///< FrictionLevel::over_viscous, of the stage where it is largest
 
-    /// The most that a constant force shows. Strong friction makes the velocity less Gaussian than its linearisation has it (more often near zero), and its forces stronger beside their damping.
-    double constant_at_most() const;
+    /// A power below which a force is constant, and one above which it is another. Strong friction makes the velocity less Gaussian than its linearisation has it (more often near zero), and its forces
+    /// stronger beside their damping; where it damps more than the stage's damper, a constant force looks like one that sticks.
+    double constant_below() const;
+    double another_above() const;
 };
 
 /// At the end of a fit whose caches are there (restore_caches()), to first order and with all its unknowns following, 1 believed within 1; none without friction or a time series of a vehicle. The fit has to have
 /// seen the part of the recordings that `context` asks about: else its slope is none.
 std::optional<FrictionLaw> friction_law(const Fit& fit, const LikelihoodContext& context);
 
-/// It is not constant: the power is beyond the most of a constant force by more than three deviations and what that is uncertain by.
+/// It is not constant, by three deviations.
 bool is_another(const FrictionLaw& law);
 
-/// It may be constant and may not: the power may be beyond that most within two deviations, or friction is so strong that nobody knows what a constant force shows.
+/// It may be constant and may not: nor is it constant by two.
 bool is_open(const FrictionLaw& law);
 
-/// That the power is that much or more, by a normal law.
+/// By a normal law between the two.
 double probability_of_another(const FrictionLaw& law);
 
 /// The same in words.

@@ -4,7 +4,7 @@
     scripts/friction_laws.py build/release/railpem docs/proof/friction_laws.csv
 
 Case 1 of Wei et al. 2016 and others with another vehicle, every uncertain number off within its tolerance, by a seed; runs of 60 s, nine channels, noise 0.02 m/s^2. `power`: of the forces that
-friction has beside its damping, in multiples of a constant force's where velocities are Gaussian; `most`: what a constant force may show (FrictionLaw::constant_at_most()). A line that is
+friction has beside its damping, in multiples of a constant force's where velocities are Gaussian; `constant_below`, `another_above`: what it is held against (FrictionLaw). A line that is
 there already is not made again.
 """
 import argparse
@@ -38,7 +38,7 @@ LINES = {
     "sticks 3000 x 2": ([STICKS.format(3000, 2, 0.01)], {}, THREE, 15), "sticks 1200 x 2, heavy bogies": ([STICKS.format(1200, 2, 0.01)], HEAVY, THREE, 27),
     "sticks 1000 x 1.8, two speeds": ([STICKS.format(1000, 1.8, 0.02)], {}, ["20", "36"], 28),
     "sticks 1500 x 2, one speed": ([STICKS.format(1500, 2, 0.01)], {}, ["22.2222"], 29)}
-COLUMNS = ["hidden", "seed", "speeds_m_per_s", "verdict", "named", "force_n", "first_place", "power", "deviation", "most", "program"]
+COLUMNS = ["hidden", "seed", "speeds_m_per_s", "verdict", "named", "force_n", "first_place", "power", "deviation", "constant_below", "another_above", "program"]
 
 
 def case_with(numbers, folder):
@@ -66,12 +66,12 @@ def judged(railpem, threads, name):
         subprocess.run([railpem, "diagnose", hide_and_seek.CASE, *runs, "--threads", threads, "--out", out], check=True, capture_output=True)
         with open(os.path.join(out, "diagnosis.json")) as file:
             found = json.load(file)
-    said = next((re.search(r"have ([-\d.]+) \+- ([\d.]+) times .* and ([\d.]+) at most", own) for own in found["remains"] if own.startswith("friction: ")), None)
+    said = next((re.search(r"have ([-\d.]+) \+- ([\d.]+) times .* below ([\d.]+) and another above ([\d.]+)", own) for own in found["remains"] if own.startswith("friction: ")), None)
     instances = found["omitted"] or (found["rivals"][0]["instances"] if found["rivals"] else [])
     return {"hidden": name, "seed": seed, "speeds_m_per_s": " ".join(speeds), "verdict": found["verdict"],
             "named": " | ".join(" + ".join(own["effects"]) for own in found["rivals"]) if found["verdict"] == "ambiguous" else " + ".join(own["effect"] for own in found["omitted"]),
             "force_n": next((f"{own['parameters']['force_n']['value']:.0f}" for own in instances if own["effect"] == "suspension-friction"), ""),
-            "first_place": found["places"][0]["element"], **dict(zip(("power", "deviation", "most"), said.groups() if said else ("", "", ""))), "program": hide_and_seek.commit()}
+            "first_place": found["places"][0]["element"], **dict(zip(COLUMNS[7:11], said.groups() if said else [""] * 4)), "program": hide_and_seek.commit()}
 
 
 def main():
