@@ -60,6 +60,7 @@ void fit_again(NamingResult& naming, const BelievedCase& believed, const Likelih
     naming.retuned = again(naming.retuned, {});
     std::stable_sort(sets.begin(), sets.end(), [](const FittedSet& a, const FittedSet& b) { return a.score() > b.score(); });
     naming.sets = std::move(sets);
+    naming.dropped.clear();  // of other forces
     naming.left_by_best.clear();
     naming.left_by_retuned.clear();
 }

@@ -27,6 +27,7 @@ struct NamingOptions {
 struct NamingResult {
     FittedSet retuned;              ///< nothing added
     std::vector<FittedSet> sets;    ///< everything that was fitted with something added, best score first
+    std::vector<FittedSet> dropped; ///< those that drop_superfluous() took out, without what their fits hold: they still say what their members explain
     std::vector<NotTested> not_tested;
     std::vector<Promise> first_promises;
     std::vector<Candidate> candidates;

@@ -61,8 +61,9 @@ std::vector<double> shares_of(const FittedSet& set, const NamingResult& naming) 
         FittedSet rest{.effects = set.effects, .released = set.released};
         if (i < set.effects.size()) rest.effects.erase(rest.effects.begin() + static_cast<long>(i));
         else rest.released.erase(rest.released.begin() + static_cast<long>(i - set.effects.size()));
-        for (const FittedSet& other : naming.sets)
-            if (contains(rest, other)) without = std::max(without, other.score());
+        for (const std::vector<FittedSet>* sets : {&naming.sets, &naming.dropped})
+            for (const FittedSet& other : *sets)
+                if (contains(rest, other)) without = std::max(without, other.score());
         shares.push_back(std::max(1.0, set.score() - without));
         sum += shares.back();
     }

@@ -114,6 +114,17 @@ bool names_friction(const FittedSet& set) {
     return std::any_of(set.effects.begin(), set.effects.end(), [](const Candidate& member) { return is_friction(member.instance); });
 }
 
+namespace {
+
+/// What a set explains, without what its fit holds.
+FittedSet without_fit(const FittedSet& set) {
+    FittedSet own{.effects = set.effects, .released = set.released, .log_prior = set.log_prior, .held_out = set.held_out};
+    own.fit.log_evidence = set.fit.log_evidence;
+    return own;
+}
+
+}  // namespace
+
 bool drop_superfluous(NamingResult& naming, const VerdictThresholds& thresholds) {
     std::vector<FittedSet> kept;
     bool first = false;
@@ -123,8 +134,12 @@ bool drop_superfluous(NamingResult& naming, const VerdictThresholds& thresholds)
         const bool superfluous = (set.members() == 1 && is_trifling(set)) || unseen_disagrees(naming.retuned, set, naming.unseen_share) ||
                                  std::any_of(naming.sets.begin(), here, [&](const FittedSet& better) { return is_the_same(better, set); }) ||
                                  std::any_of(naming.sets.begin(), naming.sets.end(), [&](const FittedSet& own) { return says_as_much(own, set, naming, thresholds); });
-        if (!superfluous) kept.push_back(set);
-        else first = first || i == 0;
+        if (!superfluous) {
+            kept.push_back(set);
+            continue;
+        }
+        first = first || i == 0;
+        naming.dropped.push_back(without_fit(set));
     }
     naming.sets = std::move(kept);
     return first;

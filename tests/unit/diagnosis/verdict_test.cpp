@@ -281,6 +281,16 @@ TEST(Places, ShareASetByWhatItsMembersBring) {
     EXPECT_NEAR(places.front().probability, 980.0 / 1080.0, 1e-6);
 }
 
+// What one member explains alone is known of a set that was fitted, though it is no candidate any more.
+TEST(Places, ShareASetByThoseThatWereDropped) {
+    NamingResult naming = naming_of({set_of({"sensor-gain", "rail-shear"}, {}, 1000.0, 300.0), set_of({"rail-shear"}, {}, 900.0, -10.0)});
+    drop_superfluous(naming, thresholds);
+    ASSERT_EQ(naming.sets.size(), 1u);
+    const std::vector<PlaceEvidence> places = place_probabilities(naming, {}, {});
+    EXPECT_EQ(places.front().element, Element::rail);
+    EXPECT_NEAR(places.front().probability, 1000.0 / 1100.0, 1e-6);  // the gain brings 100 beside it, and it 1000 beside nothing
+}
+
 TEST(Posterior, SumsToOne) {
     const NamingResult naming = naming_of({set_of({"rail-shear"}, {}, 2.0, 1.0), set_of({"body-bending"}, {}, 1.0, 1.0)});
     const Decision decision = decide(naming, {}, thresholds);
