@@ -71,6 +71,13 @@ std::vector<double> shares_of(const FittedSet& set, const NamingResult& naming) 
     return shares;
 }
 
+/// Of equal places that have a name the one that was found first, it led to the others; of those without one where a free correction helps more.
+bool goes_before(const PlaceEvidence& a, const PlaceEvidence& b) {
+    constexpr double kNothing = 1e-9;
+    if (a.probability != b.probability) return a.probability > b.probability;
+    return a.probability < kNothing && a.nats > b.nats;
+}
+
 }  // namespace
 
 std::vector<PlaceEvidence> place_probabilities(const NamingResult& naming, const PlaceStudy& places, const Decision& decision) {
@@ -98,10 +105,11 @@ std::vector<PlaceEvidence> place_probabilities(const NamingResult& naming, const
         found[set.anonymous.front().element].probability += unknown * weight_of(set.score(), highest) / shares;
     }
     std::vector<PlaceEvidence> ranked;
+    if (!naming.sets.empty())
+        for (const Element element : elements_of(naming.sets.front(), nullptr))
+            if (const auto own = found.find(element); own != found.end()) ranked.push_back(own->second), found.erase(own);
     for (const auto& [element, evidence] : found) ranked.push_back(evidence);
-    std::stable_sort(ranked.begin(), ranked.end(), [](const PlaceEvidence& a, const PlaceEvidence& b) {
-        return a.probability != b.probability ? a.probability > b.probability : a.nats > b.nats;
-    });
+    std::stable_sort(ranked.begin(), ranked.end(), goes_before);
     return ranked;
 }
 

@@ -281,6 +281,19 @@ TEST(Places, ShareASetByWhatItsMembersBring) {
     EXPECT_NEAR(places.front().probability, 980.0 / 1080.0, 1e-6);
 }
 
+// Where no set tells what they explain alone: a free correction of the pads, which the case has, says nothing against ground, which it has not.
+TEST(Places, OfEqualsTheFirstThatWasFound) {
+    const NamingResult naming = naming_of({set_of({"support-compliance", "pad-preload-stiffening"}, {}, 1000.0, 300.0)});
+    PlaceStudy study;
+    study.at_retuned = {{.element = Element::pad, .nats = 11000.0}, {.element = Element::wheel, .nats = 1300.0}, {.element = Element::rail, .nats = 1400.0}};
+    const std::vector<PlaceEvidence> places = place_probabilities(naming, study, {});
+    ASSERT_EQ(places.size(), 4u);
+    EXPECT_EQ(places[0].element, Element::support);
+    EXPECT_EQ(places[1].element, Element::pad);
+    EXPECT_EQ(places[2].element, Element::rail);
+    EXPECT_EQ(places[3].element, Element::wheel);
+}
+
 // What one member explains alone is known of a set that was fitted, though it is no candidate any more.
 TEST(Places, ShareASetByThoseThatWereDropped) {
     NamingResult naming = naming_of({set_of({"sensor-gain", "rail-shear"}, {}, 1000.0, 300.0), set_of({"rail-shear"}, {}, 900.0, -10.0)});
