@@ -202,11 +202,15 @@ std::vector<std::string> in_words(std::vector<std::string> effects) {
 
 std::string place_in_words(const Diagnosis& diagnosis) {
     if (diagnosis.places.empty()) return "no place stands out";
-    const PlaceEvidence& place = diagnosis.places.front();
+    // A place that the case does not have, ground below rigid supports, has no free correction.
+    const PlaceEvidence& named = diagnosis.places.front();
+    const auto fewer = [](const PlaceEvidence& a, const PlaceEvidence& b) { return a.nats < b.nats; };
+    const PlaceEvidence& place = named.nats > 0.0 ? named : *std::max_element(diagnosis.places.begin(), diagnosis.places.end(), fewer);
     const char* forces = !place.forces                    ? ""
                          : place.element == Element::pad ? ", by what each wheel meets by itself, as of seats that are not alike, a play or ground that changes along the line"
                                                          : ", by forces of its own, as of a stop, a play or a stick, rather than by another stiffness or damping";
-    return fmt::format("the place where a free correction helps most is the {} ({:.0f} nats{})", element_name(place.element), place.nats, forces);
+    const std::string first = &place == &named ? "" : fmt::format("as far as it has a name it sits at the {}, and ", element_name(named.element));
+    return fmt::format("{}the place where a free correction helps most is the {} ({:.0f} nats{})", first, element_name(place.element), place.nats, forces);
 }
 
 }  // namespace

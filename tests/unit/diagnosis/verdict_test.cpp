@@ -320,6 +320,13 @@ TEST(Statement, AmbiguousNamesBothAndWhatWouldDecide) {
                                        "What would decide: a run at 33 m/s.");
 }
 
+TEST(Statement, UnexplainedSaysWhereNoCorrectionReaches) {
+    Diagnosis diagnosis;
+    diagnosis.verdict = Verdict::unexplained;
+    diagnosis.places = {{.element = Element::support, .probability = 0.5}, {.element = Element::wheel, .nats = 300.0}, {.element = Element::pad, .probability = 0.5, .nats = 11000.0}};
+    EXPECT_EQ(statement_of(diagnosis), "Something is missing that no known effect explains: as far as it has a name it sits at the support, and the place where a free correction helps most is the pad (11000 nats).");
+}
+
 TEST(Statement, AmbiguousWithoutANameSaysSo) {
     Diagnosis diagnosis;
     diagnosis.verdict = Verdict::ambiguous;
