@@ -45,7 +45,8 @@ Rival of_another_law(Rival& constant, const FrictionLaw& law, double probability
                                 law.power, law.deviation);
     constant.probability *= 1.0 - probability;
     other.probability *= probability;
-    constant.would_separate = other.would_separate = test;
+    other.would_separate = test;
+    if (constant.would_separate.empty()) constant.would_separate = test;
     return other;
 }
 

@@ -15,8 +15,7 @@ import re
 import subprocess
 import tempfile
 
-import hide_and_seek
-from hide_and_seek import CASE, UNCERTAIN, march
+from hide_and_seek import CASE, UNCERTAIN, append, commit, march_hidden
 
 CONSTANT, STICKS = "suspension-friction:stage={},force_n={}", "guidance-stick-slip:force_n={},static_to_kinetic={},stribeck_velocity_m_per_s={}"
 THREE = ["15", "22.2222", "33"]
@@ -58,20 +57,19 @@ def case_with(numbers, folder):
 def judged(railpem, threads, name):
     hidden, numbers, speeds, seed = LINES[name]
     with tempfile.TemporaryDirectory() as folder:
-        hide_and_seek.CASE = case_with(numbers, folder)
-        hide_and_seek.UNCERTAIN = {key: (numbers.get(key, value), tolerance) for key, (value, tolerance) in UNCERTAIN.items()}
-        hide_and_seek.HIDDEN[name] = hidden
-        runs, _, _ = march(argparse.Namespace(railpem=railpem, speeds=speeds, numbers="even"), name, seed, folder)
+        case = case_with(numbers, folder)
+        uncertain = {key: (numbers.get(key, value), tolerance) for key, (value, tolerance) in UNCERTAIN.items()}
+        runs, _, _ = march_hidden(argparse.Namespace(railpem=railpem, speeds=speeds, numbers="even"), name, hidden, seed, folder, case, uncertain)
         out = os.path.join(folder, "out")
-        subprocess.run([railpem, "diagnose", hide_and_seek.CASE, *runs, "--threads", threads, "--out", out], check=True, capture_output=True)
+        subprocess.run([railpem, "diagnose", case, *runs, "--threads", threads, "--out", out], check=True, capture_output=True)
         with open(os.path.join(out, "diagnosis.json")) as file:
             found = json.load(file)
-    said = next((re.search(r"have ([-\d.]+) \+- ([\d.]+) times .* below ([\d.]+) and another above ([\d.]+)", own) for own in found["remains"] if own.startswith("friction: ")), None)
+    said = next((re.search(r"have ([-\d.]+) \+- ([\d.]+) times .* up to ([\d.]+), and above ([\d.]+) another law", own) for own in found["remains"] if own.startswith("friction: ")), None)
     instances = found["omitted"] or (found["rivals"][0]["instances"] if found["rivals"] else [])
     return {"hidden": name, "seed": seed, "speeds_m_per_s": " ".join(speeds), "verdict": found["verdict"],
             "named": " | ".join(" + ".join(own["effects"]) for own in found["rivals"]) if found["verdict"] == "ambiguous" else " + ".join(own["effect"] for own in found["omitted"]),
             "force_n": next((f"{own['parameters']['force_n']['value']:.0f}" for own in instances if own["effect"] == "suspension-friction"), ""),
-            "first_place": found["places"][0]["element"], **dict(zip(COLUMNS[7:11], said.groups() if said else [""] * 4)), "program": hide_and_seek.commit()}
+            "first_place": found["places"][0]["element"], **dict(zip(COLUMNS[7:11], said.groups() if said else [""] * 4)), "program": commit()}
 
 
 def main():
@@ -89,12 +87,7 @@ def main():
         if name in there:
             continue
         row = judged(options.railpem, options.threads, name)
-        new = not os.path.exists(options.table)
-        with open(options.table, "a", newline="") as file:
-            writer = csv.DictWriter(file, COLUMNS)
-            if new:
-                writer.writeheader()
-            writer.writerow(row)
+        append(options.table, COLUMNS, row)
         print(row, flush=True)
 
 

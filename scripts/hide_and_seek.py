@@ -65,14 +65,19 @@ def arguments():
 
 def march(options, effect, seed, folder):
     """Records of one trial; (folders, truth of the effects, truth of the numbers)."""
-    draw = random.Random(f"{effect} {seed}")
+    return march_hidden(options, effect, (HIDDEN | OUTSIDE)[effect], seed, folder)
+
+
+def march_hidden(options, name, hidden, seed, folder, case=CASE, uncertain=UNCERTAIN):
+    """The same of anything hidden in any case, drawn by name and seed."""
+    draw = random.Random(f"{name} {seed}")
     off = {"even": lambda tolerance: 1 + tolerance * draw.uniform(-1, 1), "believed": lambda tolerance: math.exp(tolerance * draw.gauss(0, 1))}[options.numbers]
-    numbers = {key: value * off(tolerance) for key, (value, tolerance) in UNCERTAIN.items()}
-    hide = [word for one in (HIDDEN | OUTSIDE)[effect] for word in ("--hide", one)]
+    numbers = {key: value * off(tolerance) for key, (value, tolerance) in uncertain.items()}
+    hide = [word for one in hidden for word in ("--hide", one)]
     runs, truth = [], []
     for i, speed in enumerate(options.speeds):
         runs.append(os.path.join(folder, "run_" + speed))
-        command = [options.railpem, "simulate", CASE, "--seconds", "60", "--seed", str(100 * seed + i), "--speed", speed, "--noise", "0.02",
+        command = [options.railpem, "simulate", case, "--seconds", "60", "--seed", str(100 * seed + i), "--speed", speed, "--noise", "0.02",
                    "--out", runs[-1], "--truth", runs[-1] + ".json"] + hide
         for key, value in numbers.items():
             command += ["--set", f"{key}={value:.9g}"]
@@ -91,6 +96,15 @@ def judged(options, effect, seed):
         with open(os.path.join(folder, "out", "diagnosis.json")) as file:
             found = json.load(file)
     return line_of(effect, seed, options, truth, numbers, found) | cost
+
+
+def append(table, columns, line):
+    fresh = not os.path.exists(table)
+    with open(table, "a", newline="") as file:
+        writer = csv.DictWriter(file, columns)
+        if fresh:
+            writer.writeheader()
+        writer.writerow(line)
 
 
 def cpu_s():
@@ -170,12 +184,7 @@ def main():
             except subprocess.CalledProcessError as error:
                 print(f"{effect} {seed}: {error.stderr.decode(errors='replace').strip()[:300]}", file=sys.stderr)
                 continue
-            fresh = not os.path.exists(options.table)
-            with open(options.table, "a", newline="") as file:
-                writer = csv.DictWriter(file, COLUMNS)
-                if fresh:
-                    writer.writeheader()
-                writer.writerow(line)
+            append(options.table, COLUMNS, line)
             print(line["hidden"], line["seed"], line["verdict"], line["named"], "right" if line["set_right"] else "WRONG", line["wall_s"], "s", flush=True)
 
 

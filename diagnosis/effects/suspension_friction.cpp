@@ -33,7 +33,7 @@ Effect suspension_friction() {
             "another speed, changes the equivalent damping of friction and leaves a damper as it is.",
         .not_told =
             "how much harder it holds at rest than it slides (stick-slip): where runs at several speeds do not rule that "
-            "out the verdict is ambiguous; what holds a little harder is named, with 1.1 to 1.4 times the force of sliding",
+            "out the verdict is ambiguous; what holds a little harder is named, with up to 1.4 times the force of sliding",
         .approximate = true,
         .obstacle = {},
         .apply =

@@ -25,18 +25,9 @@ Synthesised three_masses(const std::vector<double>& masses_kg) {
 
 /// The fit of one mass to all recordings, and the mass as each of them would have it.
 ParameterByRecording mass_of(const Synthesised& made) {
-    Trial trial = believed_trial(made.believed, made.observations);
-    trial.effects.push_back(kHung);
-    std::vector<Unknown> unknowns = nuisance_unknowns(made.believed, made.observations);
-    std::vector<double> start = means(unknowns);
-    const Effect& effect = *find_effect(kHung.effect);
-    for (const Unknown& unknown : effect_unknowns(kHung, 0)) {
-        start.push_back(to_coordinate(*parameter_of(unknown), value_of(effect, kHung, parameter_of(unknown)->name)));
-        unknowns.push_back(unknown);
-    }
-    const Fit own = fit(trial, unknowns, start, made.context());
+    const Fit own = fitted_with(made, kHung);
     for (const ParameterByRecording& one : constancy(own, made.context()))
-        if (unknowns[one.unknown].name == "bogie-mounted-mass.mass_kg") return one;
+        if (own.unknowns[one.unknown].name == "bogie-mounted-mass.mass_kg") return one;
     ADD_FAILURE() << "no recording speaks of the mass";
     return {};
 }

@@ -3,6 +3,7 @@
 
 #include <map>
 
+#include "diagnosis/fit.hpp"
 #include "diagnosis/synthesis.hpp"
 #include "parameters/parameter_error.hpp"
 #include "pem/contact.hpp"
@@ -92,6 +93,20 @@ inline Synthesised synthesised(BelievedCase believed, const std::vector<double>&
     }
     made.truth = believed_trial(made.believed, made.shapes);
     return made;
+}
+
+/// The fit of one effect beside everything that is retuned, from the instance's own values.
+inline Fit fitted_with(const Synthesised& made, const EffectInstance& instance) {
+    Trial trial = believed_trial(made.believed, made.observations);
+    trial.effects.push_back(instance);
+    std::vector<Unknown> unknowns = nuisance_unknowns(made.believed, made.observations);
+    std::vector<double> start = means(unknowns);
+    for (const Unknown& unknown : effect_unknowns(instance, 0)) {
+        const EffectParameter& parameter = *parameter_of(unknown);
+        unknowns.push_back(unknown);
+        start.push_back(to_coordinate(parameter, value_of(*find_effect(instance.effect), instance, parameter.name)));
+    }
+    return fit(trial, unknowns, start, made.context());
 }
 
 }  // namespace railpem::diagnosis
