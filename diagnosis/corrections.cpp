@@ -46,9 +46,6 @@ auto* structure_curve(Case& parameters, const CorrectionPlace& place) {
     return none;
 }
 
-/// What each wheel meets by itself, and no factor.
-bool is_track_alone(const CorrectionPlace& place) { return place.forces && place.element == Element::pad; }
-
 enum class Point { centre, front, rear };
 
 std::string point_name(Point point) { return point == Point::centre ? "centre" : point == Point::front ? "front" : "rear"; }
@@ -167,6 +164,8 @@ Unknown spectrum_unknown(const std::vector<double>& nodes, std::size_t node) {
 
 }  // namespace
 
+bool is_wheels_own(const CorrectionPlace& place) { return place.forces && (place.element == Element::pad || place.element == Element::support); }
+
 std::complex<double> correction_at(const pem::CaseParameters& parameters, const CorrectionPlace& place, double omega) {
     if (!place.attached) {
         const lanes::FactorCurve* own = structure_curve(parameters, place);
@@ -180,7 +179,7 @@ std::complex<double> correction_at(const pem::CaseParameters& parameters, const 
 }
 
 double correction_weight(const CorrectionPlace& place, std::size_t part, const std::vector<double>& nodes, std::size_t node, double frequency_hz) {
-    if (place.forces && part == (is_track_alone(place) ? 0 : kForcePart)) return vehicle::ForceSpectrum::weight(nodes, node, frequency_hz);
+    if (place.forces && part == (is_wheels_own(place) ? 0 : kForcePart)) return vehicle::ForceSpectrum::weight(nodes, node, frequency_hz);
     if (place.element == Element::irregularity) {
         spectra::LogFrequencySpline own{nodes, std::vector<double>(nodes.size(), 0.0)};
         own.log_factor[node] = 1.0;
@@ -233,7 +232,7 @@ std::vector<Unknown> correction_unknowns(const CorrectionPlace& place, const std
             unknowns.push_back(spectrum_unknown(nodes, node));
             continue;
         }
-        if (is_track_alone(place)) {
+        if (is_wheels_own(place)) {
             unknowns.push_back(wheels_own_unknown(nodes, node));
             continue;
         }

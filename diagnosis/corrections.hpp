@@ -20,9 +20,12 @@ struct CorrectionPlace {
     /// acts between the two.
     bool attached = false;
     /// Suspension: beside the factor, forces of its own, incoherent from element to element: what no linear law leaves (stops, play, stick). Pad: only what each wheel meets
-    /// by itself (pem::WheelsOwn): seats that are not alike, play, ground that changes along the line.
+    /// by itself (pem::WheelsOwn): seats that are not alike, play, ground that changes along the line (support, once that is told apart).
     bool forces = false;
 };
+
+/// What each wheel meets by itself, and no factor.
+bool is_wheels_own(const CorrectionPlace& place);
 
 /// What the free correction of a place multiplies its law with at ω (rad/s), 1 when it has none; attached: the dynamic mass against heave.
 std::complex<double> correction_at(const pem::CaseParameters& parameters, const CorrectionPlace& place, double omega);

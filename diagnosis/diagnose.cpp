@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "diagnosis/from_afar.hpp"
+#include "diagnosis/ground_resonance.hpp"
 #include "diagnosis/hold_again.hpp"
 #include "diagnosis/locate.hpp"
 #include "diagnosis/model_error.hpp"
@@ -42,6 +43,7 @@ class Diagnosing {
         if (drop_superfluous(naming_, options_.thresholds)) naming_.left_by_best.clear();  // it was of a set that is gone
         if (!naming_.interrupted && rests_on_held_forces(naming_, believed_)) hold_again();
         study_places();
+        tell_ground_from_pads(study_);
         try_beside();
         const Decision decision = decide(naming_, study_, options_.thresholds);
         say("refitting on everything", 0.92);
@@ -88,7 +90,8 @@ class Diagnosing {
             const auto between = [this](const std::string& what) { say(what, 0.85); };
             if (naming_.blunt_corrections.empty()) naming_.blunt_corrections = blunt_corrections(believed_, context_, between);
             study_.anonymous = sharpened_corrections(believed_, naming_.blunt_corrections, context_, between);
-            if (!naming_.sets.empty() && leans(naming_.sets.front(), naming_.retuned.score())) study_.anonymous.push_back(fit_beyond_range(believed_, naming_.sets.front(), context_, {}));
+            if (!naming_.sets.empty() && leans(naming_.sets.front(), naming_.retuned.score()))
+                if (std::optional<FittedSet> beyond = fit_beyond_range(believed_, naming_.sets.front(), context_, {})) study_.anonymous.push_back(std::move(*beyond));
             return;
         }
         for (int i = 0; i < kAnonymousFits && i < static_cast<int>(ranked.size()); ++i) {

@@ -65,6 +65,7 @@ struct PlaceEvidence {
     double probability = 0.0;
     double nats = 0.0;
     bool forces = false;  ///< what helps there most are forces of its own, which no linear law makes
+    double resonance_hz = 0.0;  ///< support: at which what each wheel meets by itself resonates; 0: it is not known to
 };
 
 /// A band of a channel where the retuned case differs from the recording beyond chance.

@@ -142,15 +142,17 @@ FittedSet fit_correction(const BelievedCase& believed, const FittedSet& beside, 
     return fit_set(believed, best, beside.effects, beside.released, {located.place}, context, options);
 }
 
-FittedSet fit_beyond_range(const BelievedCase& believed, const FittedSet& leaning, const LikelihoodContext& context, const FitOptions& options) {
+std::optional<FittedSet> fit_beyond_range(const BelievedCase& believed, const FittedSet& leaning, const LikelihoodContext& context, const FitOptions& options) {
     const std::size_t member = static_cast<std::size_t>(leaning.fit.unknowns[furthest_beyond(leaning).unknown].index) - believed.effects.size();
+    const EffectInstance& instance = leaning.effects[member].instance;
+    const Element element = element_of(*find_effect(instance.effect), instance);
+    if (element == Element::contact) return std::nullopt;
     FittedSet set{.effects = {leaning.effects[member]}, .beyond = true};
     Supposition own = suppose(believed, leaning.fit, set.effects, {}, {}, context);
     for (Unknown& unknown : own.unknowns)
         if (const EffectParameter* parameter = parameter_of(unknown)) widen(*parameter, unknown);
     set.fit = fit(own.trial, std::move(own.unknowns), std::move(own.start), context, options);
-    const EffectInstance& instance = set.effects.front().instance;
-    set.anonymous = {{.element = element_of(*find_effect(instance.effect), instance), .channel = {}}};
+    set.anonymous = {{.element = element, .channel = {}}};
     set.log_prior = prior_of(set, believed.uncertain.size());
     set.held_out = part_log_likelihood(set.fit, context, Part::held_out);
     return set;

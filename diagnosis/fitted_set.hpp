@@ -1,6 +1,7 @@
 #pragma once
 // The believed case with something added, and its fit.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -46,7 +47,9 @@ FittedSet fit_correction(const BelievedCase& believed, const FittedSet& beside, 
 
 /// The member of a set that leans most on its range, alone and with its parameters widened by their range either way (nothing that is positive falls below a fifth of its least): what the physics
 /// would have to be like that the set imitates. An anonymous set, of that member's place and with the prior of an unknown; `beyond` is set.
-FittedSet fit_beyond_range(const BelievedCase& believed, const FittedSet& leaning, const LikelihoodContext& context, const FitOptions& options);
+/// None where that member is in the contact: steel on steel gives no more than its range, and what distorts more is a nonlinearity that may be anywhere between wheel and ground (play of 0.1 mm in the
+/// fastenings looked like a contact more than five times as nonlinear as Hertz's).
+std::optional<FittedSet> fit_beyond_range(const BelievedCase& believed, const FittedSet& leaning, const LikelihoodContext& context, const FitOptions& options);
 
 /// Nats that a set would gain, to second order, if one parameter of its effects could leave the range in which its physics is believed: a
 /// fit that leans on such a bound says that the physics is another. 0 when all lie inside.

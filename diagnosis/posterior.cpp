@@ -82,7 +82,7 @@ bool goes_before(const PlaceEvidence& a, const PlaceEvidence& b) {
 
 std::vector<PlaceEvidence> place_probabilities(const NamingResult& naming, const PlaceStudy& places, const Decision& decision) {
     std::map<Element, PlaceEvidence> found;
-    for (const PlaceEvidence& place : places.at_retuned) found[place.element] = {.element = place.element, .nats = place.nats, .forces = place.forces};
+    for (const PlaceEvidence& place : places.at_retuned) found[place.element] = place;
     const double best = best_score(naming, decision);
     double sum = weight_of(decision.unknown_score, best);
     for (const FittedSet& set : naming.sets) sum += weight_of(set.score(), best);

@@ -206,7 +206,8 @@ class WritingUp {
     void report_curve() {
         for (const FittedSet& set : study_.anonymous) {
             const Element element = set.anonymous.front().element;
-            if (element == Element::irregularity || element == Element::sensor || set.beyond) continue;
+            const bool has_law = element != Element::irregularity && element != Element::sensor && !is_wheels_own(set.anonymous.front());
+            if (!has_law || set.beyond) continue;
             InferredCurve curve = inferred_curve(set.fit, set.anonymous.front(), believed_, observations_);
             curve.retuned = law_of(retuned_.fit, curve, believed_, observations_);
             curve.diagnosed = law_of(named_.fit, curve, believed_, observations_);

@@ -273,6 +273,14 @@ TEST(Decide, NamesNothingThatTheUnseenDoesNotRepeat) {
     EXPECT_EQ(verdict_of(12000.0, 1000.0), Verdict::consistent);
 }
 
+// What distorts more than steel on steel can may be anywhere between wheel and ground: it has no place for it.
+TEST(BeyondRange, IsNoContact) {
+    const std::vector<Observation> none;
+    const BelievedCase believed;
+    const LikelihoodContext context{.believed = &believed, .observations = &none};
+    EXPECT_FALSE(fit_beyond_range(believed, leaning(set_of({"contact-nonlinearity"}, {}, 100.0, 20.0), 50.0), context, {}));
+}
+
 TEST(Places, ShareASetByWhatItsMembersBring) {
     const NamingResult naming = naming_of({set_of({"sensor-gain", "rail-shear"}, {}, 1000.0, 10.0), set_of({"rail-shear"}, {}, 900.0, 10.0), set_of({"sensor-gain"}, {}, 20.0, 10.0)});
     Decision decision;
@@ -343,6 +351,8 @@ TEST(Statement, UnexplainedNamesThePlace) {
     EXPECT_EQ(statement_of(diagnosis), "Something is missing that no known effect explains: the place where a free correction helps most is the rail (14 nats).");
     diagnosis.places.front() = {.element = Element::secondary, .nats = 90.0, .forces = true};
     EXPECT_NE(statement_of(diagnosis).find("secondary (90 nats, by forces of its own, as of a stop"), std::string::npos);
+    diagnosis.places.front() = {.element = Element::support, .nats = 90.0, .forces = true, .resonance_hz = 39.4};
+    EXPECT_NE(statement_of(diagnosis).find("support (90 nats, by what each wheel meets by itself, which resonates near 39 Hz"), std::string::npos);
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ TEST(BeyondRange, AnAbsorberOnTheAxlesActsLikeAnAxleThatBendsTooLow) {
     Candidate bending{.instance = {.effect = "wheelset-bending", .values = {{"frequency_hz", 55.0}, {"damping_ratio", 0.05}, {"modal_mass_kg", 15e3}}, .choices = {}}};
     const FittedSet within = fit_set(made.believed, retuned.fit, {bending}, {}, {}, context, {.from_far = false});
     ASSERT_GT(nats_beyond_range(within), 2.0);
-    const FittedSet beyond = fit_beyond_range(made.believed, within, context, {});
+    const FittedSet beyond = fit_beyond_range(made.believed, within, context, {}).value();
     const EffectInstance& found = beyond.fit.trial.effects.back();
     std::printf("within %.0f, beyond %.0f: %.2f Hz, %.3f, %.0f kg\n", within.score(), beyond.score(), found.values.at("frequency_hz"), found.values.at("damping_ratio"), found.values.at("modal_mass_kg"));
     EXPECT_GT(beyond.score(), within.score() + 12.0);
@@ -65,7 +65,7 @@ TEST(CorrectionsFromAfar, FindALinkageOfTheBogies) {
     const FittedSet retuned = fit_set(made.believed, Fit{}, {}, {}, {}, context, {});
     const LocatedEvidence first = locate(retuned.fit, context).front();
     const FittedSet near = fit_correction(made.believed, retuned, first, context, {.iterations = 12, .from_far = false});
-    const std::vector<FittedSet> sets = sharpened_corrections(made.believed, blunt_corrections(made.believed, context, [](const std::string&) {}), context, [](const std::string&) {});
+    const std::vector<FittedSet> sets = sharpened_corrections(made.believed, blunt_corrections(context, [](const std::string&) {}), context, [](const std::string&) {});
     ASSERT_FALSE(sets.empty());
     const FittedSet& best = *std::max_element(sets.begin(), sets.end(), [](const FittedSet& a, const FittedSet& b) { return a.score() < b.score(); });
     std::printf("retuned %.0f; from there, %s: %.0f; from afar, %s: %.0f\n", retuned.score(), element_name(first.place.element).c_str(), near.score(),
