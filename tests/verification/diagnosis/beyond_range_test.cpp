@@ -65,7 +65,7 @@ TEST(CorrectionsFromAfar, FindALinkageOfTheBogies) {
     const FittedSet retuned = fit_set(made.believed, Fit{}, {}, {}, {}, context, {});
     const LocatedEvidence first = locate(retuned.fit, context).front();
     const FittedSet near = fit_correction(made.believed, retuned, first, context, {.iterations = 12, .from_far = false});
-    const std::vector<FittedSet> sets = sharpened_corrections(made.believed, blunt_corrections(context, [](const std::string&) {}), context, [](const std::string&) {});
+    const std::vector<FittedSet> sets = sharpened_corrections(made.believed, blunt_corrections(made.believed, context, [](const std::string&) {}), context, [](const std::string&) {});
     ASSERT_FALSE(sets.empty());
     const FittedSet& best = *std::max_element(sets.begin(), sets.end(), [](const FittedSet& a, const FittedSet& b) { return a.score() < b.score(); });
     std::printf("retuned %.0f; from there, %s: %.0f; from afar, %s: %.0f\n", retuned.score(), element_name(first.place.element).c_str(), near.score(),
