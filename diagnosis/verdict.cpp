@@ -151,6 +151,15 @@ double inconstancy(const PlaceStudy& study) {
     return most;
 }
 
+double furthest_number(const FittedSet& set) {
+    double furthest = 0.0;
+    for (std::size_t u = 0; u < set.fit.unknowns.size(); ++u) {
+        const Unknown& unknown = set.fit.unknowns[u];
+        if (unknown.kind == UnknownKind::number) furthest = std::max(furthest, std::abs(set.fit.values[u] - unknown.mean) / unknown.deviation);
+    }
+    return furthest;
+}
+
 Decision decide(const NamingResult& naming, const PlaceStudy& places, const VerdictThresholds& thresholds) {
     Decision decision;
     for (const FittedSet& set : places.anonymous) decision.unknown_score = std::max(decision.unknown_score, set.score());
@@ -168,7 +177,7 @@ Decision decide(const NamingResult& naming, const PlaceStudy& places, const Verd
     if (gains && decision.unknown_score < best->score() + thresholds.anonymous &&
         residual_named < nats_left(*best, nothing, thresholds.residual) && !leans(*best, nothing) &&
         places.by_named <= misfit_left(*best, nothing, thresholds.residual) && inconstancy(places) < nats_left(*best, nothing, thresholds.residual) &&
-        !(places.friction && is_another(*places.friction))) {
+        furthest_number(*best) <= thresholds.number_tolerances && !(places.friction && is_another(*places.friction))) {
         if (places.friction && is_open(*places.friction)) decision.other_friction = probability_of_another(*places.friction);
         decision.verdict = decision.credible.size() > 1 || decision.other_friction > 0.0 ? Verdict::ambiguous : only_sensors(*best) ? Verdict::recording_fault : Verdict::explained;
     } else if (gains)

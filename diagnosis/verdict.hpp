@@ -45,6 +45,10 @@ bool leans(const FittedSet& set, double nothing);
 /// Most nats that speak against one value in all recordings for a parameter of the best set.
 double inconstancy(const PlaceStudy& study);
 
+/// By how many of its tolerances the number of the case ends away from its belief that does so most; those that a set releases count by the tolerance they have then. Evidence weighs a belief by nats,
+/// of which strong effects have a hundred thousand: what explains only with every mass a half too large explains something else.
+double furthest_number(const FittedSet& set);
+
 Decision decide(const NamingResult& naming, const PlaceStudy& places, const VerdictThresholds& thresholds);
 
 /// Every member of `smaller` is in `larger`: the larger one does not contradict it, it only says more.

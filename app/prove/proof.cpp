@@ -70,6 +70,7 @@ Json diagnosis_json_of(const TrialOptions& options) {
     return {{"least_gain", thresholds.least_gain},
             {"credible", thresholds.credible},
             {"residual", thresholds.residual},
+            {"number_tolerances", thresholds.number_tolerances},
             {"anonymous", thresholds.anonymous},
             {"most_effects", naming.most_effects},
             {"refits", naming.refits},

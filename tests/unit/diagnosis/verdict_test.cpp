@@ -273,6 +273,27 @@ TEST(Decide, NamesNothingThatTheUnseenDoesNotRepeat) {
     EXPECT_EQ(verdict_of(12000.0, 1000.0), Verdict::consistent);
 }
 
+/// A set whose fit ends a number so many tolerances away from its belief.
+FittedSet bent(FittedSet set, double tolerances, double deviation = 0.05) {
+    set.fit.unknowns = {{.kind = UnknownKind::number, .name = "vehicle.bogie_mass_kg", .mean = 0.0, .deviation = deviation}};
+    set.fit.values = {tolerances * 0.05};
+    return set;
+}
+
+// Two plays of the fastenings were explained by two pairs of effects each, with the bogies 45 % and the rail 23 % off at tolerances of 5 and 2 %.
+TEST(Decide, NamesNothingThatNeedsWrongNumbers) {
+    for (const auto& [tolerances, verdict] : {std::pair(3.9, Verdict::explained), std::pair(-3.9, Verdict::explained), std::pair(12.9, Verdict::unexplained), std::pair(-12.9, Verdict::unexplained)}) {
+        const Decision decision = decide(naming_of({bent(set_of({"rail-shear"}, {}, 1000.0, 300.0), tolerances)}), {}, thresholds);
+        EXPECT_EQ(decision.verdict, verdict) << tolerances;
+    }
+}
+
+// A number that is named as wrong may be as wrong as it is.
+TEST(Decide, NamesANumberHoweverWrong) {
+    const FittedSet released = bent(set_of({}, {"vehicle.bogie_mass_kg"}, 1000.0, 300.0), 12.9, kReleasedDeviation);
+    EXPECT_EQ(decide(naming_of({released}), {}, thresholds).verdict, Verdict::explained);
+}
+
 // What distorts more than steel on steel can may be anywhere between wheel and ground: it has no place for it.
 TEST(BeyondRange, IsNoContact) {
     const std::vector<Observation> none;
