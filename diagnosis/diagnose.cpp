@@ -43,8 +43,8 @@ class Diagnosing {
         if (drop_superfluous(naming_, options_.thresholds)) naming_.left_by_best.clear();  // it was of a set that is gone
         if (!naming_.interrupted && rests_on_held_forces(naming_, believed_)) hold_again();
         study_places();
-        tell_ground_from_pads(study_);
         try_beside();
+        tell_ground_from_pads(study_);  // only now: beside a name it is fitted at the pads
         const Decision decision = decide(naming_, study_, options_.thresholds);
         say("refitting on everything", 0.92);
         refit(decision);

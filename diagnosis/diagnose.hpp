@@ -14,7 +14,7 @@ struct VerdictThresholds {
     double credible = 4.0;          ///< a rival set is credible within so many nats of the best
     double residual = 12.0;         ///< nats that a free correction beside the named set may promise by chance, or nats_left() of it (model_error.hpp)
     double anonymous = 3.0;         ///< nats by which a free correction must beat the named set to make it nameless
-    double number_tolerances = 11.0; ///< by which a number may end beside a name, furthest_number(): in the middle between the most beside a right one (9.5, every eighth fastener failed, whose law is a mean) and the least beside a wrong one: three plays of the fastenings that other effects explained stood 13, 17 and 27 off
+    double number_tolerances = 11.0;  ///< by which a number may end beside a name, furthest_number(): between the most beside a right one (9.5, every eighth fastener failed) and the least beside a wrong one (12.9, a play of the fastenings)
 };
 
 struct DiagnoseOptions {

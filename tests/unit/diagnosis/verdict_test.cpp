@@ -280,9 +280,9 @@ FittedSet bent(FittedSet set, double tolerances, double deviation = 0.05) {
     return set;
 }
 
-// Three plays of the fastenings were explained by two other effects each, with the bogies 45 % and the rail 23 % off at tolerances of 5 and 2 %.
+// Three plays of the fastenings were explained by two other effects each, with numbers 12.9 tolerances off and more; every eighth fastener failed, rightly named, left the rail 9.5 too light.
 TEST(Decide, NamesNothingThatNeedsWrongNumbers) {
-    for (const auto& [tolerances, verdict] : {std::pair(3.9, Verdict::explained), std::pair(-3.9, Verdict::explained), std::pair(12.9, Verdict::unexplained), std::pair(-12.9, Verdict::unexplained)}) {
+    for (const auto& [tolerances, verdict] : {std::pair(9.5, Verdict::explained), std::pair(-9.5, Verdict::explained), std::pair(12.9, Verdict::unexplained), std::pair(-12.9, Verdict::unexplained)}) {
         const Decision decision = decide(naming_of({bent(set_of({"rail-shear"}, {}, 1000.0, 300.0), tolerances)}), {}, thresholds);
         EXPECT_EQ(decision.verdict, verdict) << tolerances;
     }
