@@ -25,6 +25,8 @@ constexpr double kHope = 3.0;             ///< times its promise, a fit may stil
 constexpr double kPace = 12.0;            ///< or times what its last step brought: a ridge is climbed in many equal steps
 constexpr double kSurprise = 1.5;         ///< times what a step promised
 constexpr double kKept = 0.7;             ///< of what a step by carried derivatives promised, that it has to bring for them to be carried on; and the other way round
+constexpr double kLongestShare = 3.0;     ///< of a step, to which its direction is followed
+constexpr double kWorthLooking = 0.2;     ///< of a step's gain, that another place along it has to promise beyond
 constexpr int kMostCarried = 6;           ///< steps
 
 bool is_diagonal(const Unknown& unknown) { return unknown.kind == UnknownKind::noise || unknown.kind == UnknownKind::floor; }
@@ -194,7 +196,7 @@ class Climb {
             }
             State next = state_at(base_, unknowns_, moved(state_, move), held_);
             const double gain = next.log_posterior - state_.log_posterior;
-            if (gain > 0.0) return accept(std::move(next), promise, gain), std::nullopt;
+            if (gain > 0.0) return accept(best_along(move, normal.gradient.dot(move), std::move(next)), promise, gain), std::nullopt;
             if (slopes_.carried > 0) {
                 slopes_.trusted = false;
                 return {};
@@ -205,8 +207,28 @@ class Climb {
         return End::tired;
     }
 
+    /// The best of what a parabola through here, its slope and `next` says of the step's direction: where the model misses much, the curvature of all steps is off by as much.
+    State best_along(const Eigen::VectorXd& move, double slope, State next) const {
+        const double gain = next.log_posterior - state_.log_posterior, bend = 2.0 * (slope - gain);
+        const double share = bend > slope / kLongestShare ? slope / bend : kLongestShare;
+        const double hoped = slope * share - 0.5 * bend * share * share;
+        if (hoped < gain + std::max(kWorthLooking * gain, options_.least_gain)) return next;
+        State other = state_at(base_, unknowns_, moved(state_, stretched(move, share)), held_);
+        return other.log_posterior > next.log_posterior ? std::move(other) : std::move(next);
+    }
+
+    /// A step many times as long, cut off at the bounds of every unknown.
+    Eigen::VectorXd stretched(const Eigen::VectorXd& move, double share) const {
+        Eigen::VectorXd step = share * move;
+        for (std::size_t i = 0; i < unknowns_.size(); ++i) {
+            double& own = step(static_cast<long>(i));
+            own = std::clamp(own, std::min(0.0, unknowns_[i].low - state_.values[i]), std::max(0.0, unknowns_[i].high - state_.values[i]));
+        }
+        return step;
+    }
+
     void accept(State next, double promise, double gain) {
-        gained_ = gain;
+        gained_ = next.log_posterior - state_.log_posterior;
         promised_ = promise;
         damping_ = std::max(damping_ / 10.0, kLeastDamping);
         carry(slopes_.values, state_.predictions.spectra, next.predictions.spectra, context_);

@@ -136,6 +136,17 @@ std::vector<ObservedChannel> observed_channels(const std::vector<recordings::Cha
 
 namespace {
 
+/// What the irregularity's forces are felt as at other frequencies.
+void add_modulation(const pem::CaseParameters& parameters, double speed, bool of_equal_seats, ExpectationCache& own) {
+    own.orders = pem::modulations(parameters, own.track, own.modulation, kLeastOrder);
+    if (!of_equal_seats) std::erase_if(own.orders, [](const pem::Modulation& order) { return order.bays != 0; });
+    std::vector<pem::Modulation> all = own.orders;
+    for (const pem::Modulation& random : pem::random_modulations(own.track, own.modulation, speed)) all.push_back(random);
+    if (all.empty()) return;
+    own.felt = pem::felt_orders(all, own.modulation);
+    own.of_irregularity = with_what_comes_back(own.transfers, own.felt.front());
+}
+
 /// What does not depend on the excitation, or is costly. Forces of the suspension's own are added to `expected` at once.
 ExpectationCache prepared(const pem::CaseParameters& parameters, double speed, const std::vector<ObservedChannel>& channels, const FineGrid& grid, double bin_hz,
                           const ExpectationOptions& options, const ExpectationCache* known, Reuse reuse, ExpectedSpectra& expected) {
@@ -144,7 +155,7 @@ ExpectationCache prepared(const pem::CaseParameters& parameters, double speed, c
     ExpectationCache own;
     pem::CoupledModel model = same_rail && known->rail ? pem::coupled_model(parameters, known->rail) : pem::coupled_model(parameters, speed);
     own.rail = model.rail;
-    pem::RollingTable rolling = same_rail ? known->modulation.rolling : pem::rolling_table(model, speed, pem::modulation_end_hz(parameters, speed));
+    pem::RollingTable rolling = same_rail ? known->modulation.rolling : pem::rolling_table(model, speed, pem::modulation_end_hz(parameters, speed), known && !options.sharp ? &known->modulation.rolling : nullptr);
     std::vector<pem::Source> sources;
     if (pem::is_nonlinear(parameters)) {
         sources = pem::excitation_sources(parameters, wheels, speed);
@@ -165,11 +176,7 @@ ExpectationCache prepared(const pem::CaseParameters& parameters, double speed, c
     own.sensors = parameters.sensors;
     if (!model.rail->equal_seats()) return own;
     own.modulation = pem::modulation_transfers(parameters, model, speed, std::move(rolling), same_rail ? &known->modulation : nullptr);
-    own.orders = pem::modulations(parameters, own.track, own.modulation, kLeastOrder);
-    std::vector<pem::Modulation> all = own.orders;
-    for (const pem::Modulation& random : pem::random_modulations(own.track, own.modulation, speed)) all.push_back(random);
-    own.felt = pem::felt_orders(all, own.modulation);
-    own.of_irregularity = with_what_comes_back(own.transfers, own.felt.front());
+    add_modulation(parameters, speed, options.sharp, own);
     pem::feed_back_lines(parameters, own.modulation, own.track);
     return own;
 }
@@ -193,11 +200,12 @@ ExpectationCache with_other_sensors(const ExpectationCache& known, const pem::Ca
     return own;
 }
 
-void add_broadband(const pem::CaseParameters& parameters, const pem::Excitation& excitation, double speed, const ExpectationCache& parts, const FineGrid& grid, double bin,
+/// `irregularity`: its powers on the fine grid.
+void add_broadband(const pem::CaseParameters& parameters, const pem::Excitation& excitation, const MetPowers& irregularity, double speed, const ExpectationCache& parts, const FineGrid& grid, double bin,
                    const recordings::KernelWeights& weights, const pem::ContactDistortion& contacts, ExpectedSpectra& expected) {
     const std::vector<double> wheels = vehicle::wheel_positions(parameters.vehicle);
     for (const pem::DelayedSpectrum& source : excitation.broadband)
-        add_smoothed(fine_responses(parts.of_irregularity, source, wheels, speed, grid), expected.channels, weights,
+        add_smoothed(fine_responses(parts.of_irregularity, source, &source == &excitation.broadband.front() ? irregularity.at_lines : powers_at_lines(source, grid), wheels, speed, grid), expected.channels, weights,
                      {.first = grid.first, .count = grid.count, .first_bin = expected.first_bin, .bins = expected.bins()}, expected.values);
     for (const pem::DelayedSpectrum& source : pem::pad_distortion(parts.pads, excitation.broadband, wheels, speed))
         add_as_it_is(parts.transfers, source, wheels, speed, bin, expected);
@@ -237,9 +245,10 @@ ExpectedSpectra expected_spectra(const pem::CaseParameters& parameters, double s
     else if (reuse < Reuse::motion) own = prepared(parameters, speed, channels, grid, bin, options, known, reuse, expected);
     const ExpectationCache& parts = reuse >= Reuse::transfers ? *known : own;
     const pem::Excitation excitation = pem::excitation(parameters, vehicle::wheel_positions(parameters.vehicle), speed, &parts.track);
+    const MetPowers irregularity = met_powers(parameters, excitation.broadband.front(), speed, grid, known ? &known->powers : nullptr);
     if (reuse == Reuse::broadband && parts.broadband.size() == expected.values.size()) expected.values = parts.broadband;
-    else add_broadband(parameters, excitation, speed, parts, grid, bin, weights, options.contacts, expected);
-    if (filled) own.broadband = expected.values;
+    else add_broadband(parameters, excitation, irregularity, speed, parts, grid, bin, weights, options.contacts, expected);
+    if (filled) own.broadband = expected.values, own.powers = irregularity;
     add_all_lines(parameters, excitation, parts, kernel, expected);
     if (filled && reuse < Reuse::transfers) *filled = std::move(own);
     add_sensor_noise(parameters, channels, bin, expected);

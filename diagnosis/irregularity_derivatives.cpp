@@ -100,7 +100,7 @@ std::vector<Values> irregularity_derivatives(const Trial& trial, const std::vect
     const ExpectationOptions& options = observation.expectation;
     const FineGrid grid = fine_grid(observation.kernel, at.first_bin, at.bins(), options.oversampling);
     const recordings::KernelWeights kernel = options.weights.weights.empty() ? expectation_weights(observation.kernel, options.oversampling) : options.weights;
-    const Given given{irregularity, grid, fine_responses(known.of_irregularity, irregularity, wheels, speed, grid)};
+    const Given given{irregularity, grid, fine_responses(known.of_irregularity, irregularity, powers_at_lines(irregularity, grid), wheels, speed, grid)};
     std::vector<NodeWeight> weights;
     std::vector<Values> result;
     for (const Unknown* unknown : unknowns) {

@@ -153,6 +153,7 @@ std::shared_ptr<const Observation> coarse_of(const recordings::Recording& record
     Observation coarse = windowed(recording, head, believed, options, options.coarse_window_s);
     coarse.expectation.transfer_step_hz = kCoarseTransferStep;
     coarse.expectation.rail_every = static_cast<int>(kRailStep / kCoarseTransferStep);
+    coarse.expectation.sharp = false;
     coarse.expectation.contacts = fine.expectation.contacts;
     coarse.log_scale = fine.log_scale;
     coarse.noise_psd = fine.noise_psd;  // where beliefs about noise begin

@@ -150,6 +150,17 @@ void SetTrials::finish_best(std::size_t members) {
     }
 }
 
+bool SetTrials::is_fitted_better(const Fit& near, const std::vector<Candidate>& members, const std::vector<std::string>& released) const {
+    const auto is_it = [&](const FittedSet& set) {
+        return set.fit.converged && set.released == released &&
+               std::equal(set.effects.begin(), set.effects.end(), members.begin(), members.end(), [](const Candidate& a, const Candidate& b) { return same_variant(a.instance, b.instance); });
+    };
+    const auto known = std::find_if(result_.sets.begin(), result_.sets.end(), is_it);
+    if (known == result_.sets.end()) return false;
+    const Supposition supposition = suppose(believed_, near, members, released, {}, context_);
+    return log_posterior_at(supposition.trial, supposition.unknowns, supposition.start, context_) < known->fit.log_posterior;
+}
+
 std::size_t SetTrials::prune() {
     const FittedSet& whole = leading();
     if (whole.members() < 2 || whole.score() == pruned_) return 0;
@@ -162,7 +173,7 @@ std::size_t SetTrials::prune() {
         std::vector<std::string> numbers = released;
         if (i < members.size()) fewer.erase(fewer.begin() + static_cast<long>(i));
         else numbers.erase(numbers.begin() + static_cast<long>(i - members.size()));
-        try_set(near, std::move(fewer), std::move(numbers), 0.72, true);
+        if (!is_fitted_better(near, fewer, numbers)) try_set(near, std::move(fewer), std::move(numbers), 0.72, true);
     }
     const std::size_t left = leading().members();
     return left < members.size() + released.size() ? left : 0;

@@ -64,6 +64,9 @@ class SetTrials {
     void refuse_noise(std::size_t index, const Fit& near, double share);
     const Fit& most_probable() const;
 
+    /// Whether a fit of these members is known that is more probable than where `near` would start another. A member that is needless leaves its set far above that.
+    bool is_fitted_better(const Fit& near, const std::vector<Candidate>& members, const std::vector<std::string>& released) const;
+
     const BelievedCase& believed_;
     const LikelihoodContext& context_;
     const NamingOptions& options_;

@@ -88,6 +88,12 @@ std::vector<double> powers_at_lines(const pem::DelayedSpectrum& source, const Fi
     return power;
 }
 
+MetPowers met_powers(const pem::CaseParameters& parameters, const pem::DelayedSpectrum& irregularity, double speed, const FineGrid& grid, const MetPowers* known) {
+    const double patch = parameters.contact.patch_half_length_m;
+    if (known && known->at_lines.size() == grid.count && known->speed_m_per_s == speed && known->patch_half_length_m == patch && known->irregularity == parameters.irregularity) return *known;
+    return {parameters.irregularity, patch, speed, powers_at_lines(irregularity, grid)};
+}
+
 FineGrid fine_grid(const recordings::WindowKernel& kernel, std::size_t first_bin, std::size_t bins, int oversampling) {
     const std::size_t reach = static_cast<std::size_t>(kReachBins) * static_cast<std::size_t>(oversampling);
     const std::size_t low = first_bin * static_cast<std::size_t>(oversampling);
@@ -96,11 +102,10 @@ FineGrid fine_grid(const recordings::WindowKernel& kernel, std::size_t first_bin
     return {kernel.bin_hz() / oversampling, first, last - first + 1};
 }
 
-std::vector<Complex> fine_responses(const pem::WheelTransfers& transfers, const pem::DelayedSpectrum& source,
+std::vector<Complex> fine_responses(const pem::WheelTransfers& transfers, const pem::DelayedSpectrum& source, const std::vector<double>& power,
                                     const std::vector<double>& wheels, double speed, const FineGrid& grid) {
     const std::size_t channels = transfers.responses.size();
     std::vector<Complex> y(channels * grid.count), at(channels * 4);
-    const std::vector<double> power = powers_at_lines(source, grid);
     DelayPhases delays(wheels, speed, grid);
     for (std::size_t i = 0; i < grid.count; ++i) {
         const double f = grid.frequency(i), root = std::sqrt(power[i]);
@@ -127,7 +132,8 @@ std::vector<Complex> fine_responses(const pem::WheelTransfers& transfers, const 
 void add_as_it_is(const pem::WheelTransfers& transfers, const pem::DelayedSpectrum& source, const std::vector<double>& wheels, double speed, double bin_hz,
                   ExpectedSpectra& expected) {
     const std::size_t bins = expected.bins(), channels = expected.channels;
-    const std::vector<Complex> y = fine_responses(transfers, source, wheels, speed, {bin_hz, expected.first_bin, bins});
+    const FineGrid at_bins{bin_hz, expected.first_bin, bins};
+    const std::vector<Complex> y = fine_responses(transfers, source, powers_at_lines(source, at_bins), wheels, speed, at_bins);
     std::vector<Complex> own(channels);
     for (std::size_t b = 0; b < bins; ++b) {
         for (std::size_t c = 0; c < channels; ++c) own[c] = y[c * bins + b];

@@ -28,10 +28,12 @@ double power_over_cell(const pem::DelayedSpectrum& source, double frequency_hz, 
 /// The same at every fine line.
 std::vector<double> powers_at_lines(const pem::DelayedSpectrum& source, const FineGrid& grid);
 
-/// Pseudo-responses of one broadband source on the fine grid: [channel][fine line]. Where a band of the irregularity begins or ends between two lines, the mean power
-/// over the cell.
+/// The same of the case's irregularity, which cases share that differ elsewhere: those of `known` if it is of the same, else anew.
+MetPowers met_powers(const pem::CaseParameters& parameters, const pem::DelayedSpectrum& irregularity, double speed_m_per_s, const FineGrid& grid, const MetPowers* known);
+
+/// Pseudo-responses of one broadband source on the fine grid: [channel][fine line]. `power`: of the source at its lines, powers_at_lines().
 std::vector<std::complex<double>> fine_responses(const pem::WheelTransfers& transfers, const pem::DelayedSpectrum& source,
-                                                 const std::vector<double>& wheels_m, double speed_m_per_s, const FineGrid& grid);
+                                                 const std::vector<double>& power, const std::vector<double>& wheels_m, double speed_m_per_s, const FineGrid& grid);
 
 /// Adds a source so faint that its kernel does not count: what a window's leakage and delays change of it is some per cent of tens of dB below.
 void add_as_it_is(const pem::WheelTransfers& transfers, const pem::DelayedSpectrum& source, const std::vector<double>& wheels_m, double speed_m_per_s,

@@ -22,17 +22,43 @@ double table_step(const EqualSeats& seats) {
     return 4.0 * std::clamp(std::exp2(std::ceil(std::log2(std::max(1e-3, pad.imag() / pad.real()) / kOrdinaryLoss))), kFinest, 1.0);
 }
 
+/// A line that is told by its neighbours: in the middle of six of every second line, and above the octaves that have few lines each.
+bool is_between(std::size_t line, std::size_t lines) {
+    constexpr std::size_t kFirst = 15;
+    return line % 2 == 1 && line >= kFirst && line + kLagrangePoints - 1 < lines;
+}
+
+/// The lines between, by how the others differ from `near`.
+void fill_between(const RollingTable& near, RollingTable& table) {
+    constexpr std::size_t reach = kLagrangePoints - 1;
+    const std::array<double, kLagrangePoints> weights = lagrange(0.5 * reach);
+    for (std::size_t line = 0; line < table.at.size(); ++line) {
+        if (!is_between(line, table.at.size())) continue;
+        table.at[line] = near.at[line];
+        for (std::size_t i = 0; i < table.at[line].values.size(); ++i)
+            for (std::size_t k = 0; k < kLagrangePoints; ++k) {
+                const std::size_t other = line - reach + 2 * k;
+                table.at[line].values[i] += weights[k] * (table.at[other].values[i] - near.at[other].values[i]);
+            }
+    }
+}
+
 }  // namespace
 
-RollingTable rolling_table(const CoupledModel& model, double speed, double to_hz) {
+RollingTable rolling_table(const CoupledModel& model, double speed, double to_hz, const RollingTable* near) {
     RollingTable table;
     const EqualSeats* seats = model.rail->equal_seats();
     if (!seats) return table;
     table.step_hz = table_step(*seats);
     const auto lines = std::max<std::size_t>(kLagrangePoints, static_cast<std::size_t>(to_hz / table.step_hz) + 4);
-    for (std::size_t line = 0; line < lines; ++line)
-        table.at.push_back(track::rolling_receptance(seats->track, seats->pad_stiffness_n_per_m, model.wheels_m, speed, std::max(kRest_hz, static_cast<double>(line) * table.step_hz),
-                                                     seats->track.rail.beam == track::Beam::timoshenko ? 3 : 2));
+    const int highest = seats->track.rail.beam == track::Beam::timoshenko ? 3 : 2;
+    const bool alike = near && near->step_hz == table.step_hz && near->at.size() == lines && near->at.front().highest == highest;
+    table.at.resize(lines);
+    for (std::size_t line = 0; line < lines; ++line) {
+        if (alike && is_between(line, lines)) continue;
+        table.at[line] = track::rolling_receptance(seats->track, seats->pad_stiffness_n_per_m, model.wheels_m, speed, std::max(kRest_hz, static_cast<double>(line) * table.step_hz), highest);
+    }
+    if (alike) fill_between(*near, table);
     return table;
 }
 

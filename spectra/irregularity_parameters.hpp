@@ -24,6 +24,8 @@ struct IrregularityBand {
     /// table, profile: the measurement as a file; whoever reads the case turns it into the columns above.
     std::string file;
     double segment_length_m = 0.0;  ///< profile: of the spectrum's estimate, spectrum_of_profile(); 0: an eighth of the profile
+
+    bool operator==(const IrregularityBand&) const = default;
 };
 
 /// A narrow band in wavelength: Gaussian in n around 1/wavelength, relative standard deviation `relative_bandwidth`,
@@ -32,6 +34,8 @@ struct Corrugation {
     double wavelength_m = 0.3;
     double relative_bandwidth = 0.1;
     double rms_m = 20e-6;
+
+    bool operator==(const Corrugation&) const = default;
 };
 
 /// Dips at a regular distance: each a raised cosine of depth h and length l, −h/2·(1 + cos(2πx/l)) for |x| < l/2.
@@ -40,6 +44,8 @@ struct RailJoints {
     double spacing_m = 25.0;
     double depth_m = 0.5e-3;
     double length_m = 1.0;
+
+    bool operator==(const RailJoints&) const = default;
 };
 
 struct IrregularityParameters {
@@ -53,6 +59,8 @@ struct IrregularityParameters {
     LogSpline wave_correction;  ///< factor on the broadband power spectrum; free correction of a diagnosis, 1 when empty
     /// Factor on the power spectrum in time, corrugation included; free correction of a diagnosis, 1 when empty.
     LogFrequencySpline frequency_correction;
+
+    bool operator==(const IrregularityParameters&) const = default;
 };
 
 parameters::Fields<IrregularityParameters> irregularity_fields();

@@ -14,6 +14,8 @@ struct LogSpline {
     bool empty() const { return wavelength_m.empty(); }
     /// The factor itself at a wavelength > 0 in m.
     double at(double wavelength) const;
+
+    bool operator==(const LogSpline&) const = default;
 };
 
 /// A power factor by frequency; no nodes: 1.
@@ -24,6 +26,8 @@ struct LogFrequencySpline {
     bool empty() const { return frequency_hz.empty(); }
     /// The factor itself at a frequency > 0 in Hz.
     double at(double frequency) const;
+
+    bool operator==(const LogFrequencySpline&) const = default;
 };
 
 }  // namespace railpem::spectra
