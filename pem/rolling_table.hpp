@@ -17,7 +17,7 @@ struct RollingTable {
 };
 
 /// Up to `to_hz`. The step is 4 Hz, and as much finer as the pads' loss tangent is below 0.4: the rail on its pads resonates as narrowly. Nothing where `model` is at rest.
-/// `near`: of a case that differs by little, of which a derivative is taken: above 60 Hz every second line tells how, and the difference is interpolated between them. Derivatives by numbers are right to 5e-4, by
+/// `near`: of a case that differs by little, of which a derivative is taken: above 60 Hz every second line tells how, and the difference is interpolated between them. Derivatives by numbers are right to 2e-3, by
 /// corrections with a kink at a node to 1 %.
 RollingTable rolling_table(const CoupledModel& model, double speed_m_per_s, double to_hz, const RollingTable* near = nullptr);
 

@@ -46,14 +46,16 @@ TEST(CoarseObservation, IsNotMadeWhereItWouldHoldTooLittle) {
 }
 
 /// The floor of a blunt likelihood is a tenth or, half sharp, kHalfSharpFloor of a channel's power: its grids leave less than the smaller one, most of that (3.6 %) at 21.5 Hz,
-/// beside which the irregularity of the paper jumps by a factor of 16.
+/// beside which the irregularity of the paper jumps by a factor of 16; what supports make of the wheels' forces, which it leaves out, is less.
 TEST(CoarseObservation, GridsLeaveLessThanTheFloor) {
-    const BelievedCase believed = believed_file("cases/wei2016/case1.toml");
+    BelievedCase believed = believed_file("cases/wei2016/case1.toml");
+    believed.numbers.solver.moving = true;
     const Observation coarse = *observed_noise(believed).coarse;
     ExpectationOptions fine = coarse.expectation;
     fine.transfer_step_hz = 0.0625;
     fine.rail_every = 1;
     fine.oversampling *= 3;
+    fine.sharp = true;
     fine.weights = expectation_weights(coarse.kernel, fine.oversampling);
     const auto spectra = [&](const ExpectationOptions& options) { return expected_spectra(believed.numbers, coarse.speed_m_per_s, coarse.kernel, coarse.channels, {}, options); };
     const ExpectedSpectra own = spectra(coarse.expectation), exact = spectra(fine);
@@ -61,6 +63,20 @@ TEST(CoarseObservation, GridsLeaveLessThanTheFloor) {
     for (std::size_t bin = 0; bin < own.bins(); ++bin)
         for (long c = 0; c < 2; ++c)
             EXPECT_NEAR(own.matrix(bin)(c, c).real() / exact.matrix(bin)(c, c).real(), 1.0, kHalfSharpFloor) << coarse.frequency(bin) << " Hz";
+}
+
+// Fasteners that failed pass forces on far louder than equal seats do: a blunt likelihood hears that, too.
+TEST(CoarseObservation, HearsWhatDifferingSeatsPassOn) {
+    const Observation coarse = *observed_noise(believed_file("cases/wei2016/case1.toml")).coarse;
+    for (const bool failed : {false, true}) {
+        pem::CaseParameters c = believed_file("cases/wei2016/case1.toml").numbers;
+        c.solver.moving = true;
+        if (failed) c.track.failed_fasteners = {{.every = 8, .remaining_stiffness_fraction = 0.1}};
+        ExpectationCache own;
+        expected_spectra(c, coarse.speed_m_per_s, coarse.kernel, coarse.channels, {}, coarse.expectation, nullptr, Reuse::nothing, &own);
+        EXPECT_EQ(own.felt.size() > 1, failed);
+        for (const pem::Modulation& order : own.orders) EXPECT_EQ(order.bays, 0);
+    }
 }
 
 TEST(CoarseObservation, IsWhatABluntLikelihoodIsAskedAbout) {

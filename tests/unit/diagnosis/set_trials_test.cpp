@@ -50,5 +50,39 @@ TEST(SetTrials, ACombThatIsThereStays) {
     EXPECT_TRUE(std::isfinite(dips.score()));
 }
 
+/// Gains of two channels, sought one after the other; what the search then tries without either of them, by name.
+std::vector<std::string> tried_without(double known_is_worse_by) {
+    Synthesised made = synthesised(paper_believed({"vehicle.bogie_mass_kg"}), {20.0}, 60.0, {"bogie_1", "wheel_1", "wheel_2"}, kSmall);
+    const auto gain_of = [](const std::string& channel, double gain) { return EffectInstance{.effect = "sensor-gain", .values = {{"gain", gain}}, .choices = {{"channel", channel}}}; };
+    made.truth.effects = {gain_of("bogie_1", 1.2), gain_of("axlebox_1", 0.8)};
+    made.draw(1);
+    const LikelihoodContext context = made.context();
+    std::vector<std::string> said;
+    NamingOptions options;
+    options.progress = [&](const std::string& what, double) { said.push_back(what); };
+    NamingResult result;
+    SetTrials trials(made.believed, context, options, result);
+    trials.retune();
+    const Candidate first{.instance = made.truth.effects[0], .probe = made.truth.effects[0]}, second{.instance = made.truth.effects[1], .probe = made.truth.effects[1]};
+    trials.try_set(result.retuned.fit, {first}, {}, 0.0);
+    trials.try_set(result.retuned.fit, {first, second}, {}, 0.0);
+    EXPECT_EQ(trials.leading().members(), 2u);
+    EXPECT_TRUE(result.sets[0].fit.converged);
+    result.sets[0].fit.log_posterior -= known_is_worse_by;
+    said.clear();
+    trials.prune();
+    const auto of = [&](const Candidate& own) { return std::find(said.begin(), said.end(), label_of(own.instance)) != said.end(); };
+    std::vector<std::string> tried;
+    for (const Candidate& own : {first, second})
+        if (of(own)) tried.push_back(own.instance.choices.at("channel"));
+    return tried;
+}
+
+// The first is known by itself, and better than what the pair leaves without the second; of the second by itself nothing is known.
+TEST(SetTrials, AKnownSetIsNotFittedAgain) { EXPECT_EQ(tried_without(0.0), std::vector<std::string>{"axlebox_1"}); }
+
+// One that came to a poor end is.
+TEST(SetTrials, AKnownSetIsFittedAgainFromABetterPlace) { EXPECT_EQ(tried_without(1e9), (std::vector<std::string>{"bogie_1", "axlebox_1"})); }
+
 }  // namespace
 }  // namespace railpem::diagnosis
