@@ -94,6 +94,11 @@ double part_log_likelihood(const Fit& fit, const LikelihoodContext& context, Par
     return log_likelihood(fit.trial, fit.predictions, other);
 }
 
+bool has_members(const FittedSet& set, const std::vector<Candidate>& effects, const std::vector<std::string>& released) {
+    return set.released == released &&
+           std::equal(set.effects.begin(), set.effects.end(), effects.begin(), effects.end(), [](const Candidate& a, const Candidate& b) { return same_variant(a.instance, b.instance); });
+}
+
 Supposition suppose(const BelievedCase& believed, const Fit& near, const std::vector<Candidate>& members, const std::vector<std::string>& released,
                     const std::vector<CorrectionPlace>& anonymous, const LikelihoodContext& context) {
     Supposition own{.trial = believed_trial(believed, *context.observations), .unknowns = nuisance_unknowns(believed, *context.observations), .start = {}};

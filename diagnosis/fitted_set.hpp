@@ -27,6 +27,9 @@ struct FittedSet {
     std::size_t members() const { return effects.size() + released.size(); }
 };
 
+/// Whether a set has these members, in this order, whatever their values.
+bool has_members(const FittedSet& set, const std::vector<Candidate>& effects, const std::vector<std::string>& released);
+
 /// What a fit of a set begins with.
 struct Supposition {
     Trial trial;

@@ -98,21 +98,28 @@ class Search {
         const double single = search.trials_.leading().score();
         FittedSet put_off;  // of an approximate law that leaves more than is usual: something else may take its place
         if (single > found.retuned.score() + options_.least_gain) {
-            FittedSet half = half_sharp(search.trials_.leading());
-            if (is_worth_sharpening(half, found.retuned.fit)) sharpen(half);
-            else if (is_approximate(half)) put_off = std::move(half);
+            Halved half = look_sharper(search.trials_.leading(), found.retuned.fit);
+            if (!half.sharpened && is_approximate(half.set)) put_off = std::move(half.set);
             if (trials_.names() && leaves_little()) return further_rounds(static_cast<int>(trials_.leading().members()) + 1);
         }
         if (search.misses()) search.rescue_round();  // before anything is added to what stands in for it
         search.further_rounds(2);
         blunt_from_afar_ = std::move(search.blunt_from_afar_);
+        const double least = std::max(single, found.retuned.score()) + options_.least_gain;
+        Halved pair;  // seen half sharp before more is looked for beside its first: bluntly fitted, the two effects of the paper may leave 780 nats
+        if (search.misses() && search.trials_.leading().score() > least) {
+            pair = look_sharper(search.trials_.leading(), found.retuned.fit);
+            if (trials_.names() && leaves_little()) return further_rounds(static_cast<int>(trials_.leading().members()) + 1);
+        }
         outdone_ = search.misses() && search.is_outdone();
         result_.blunt_corrections = std::move(found.blunt_corrections);
         if (outdone_) return;
         search.rescue_beside();
         const FittedSet& best = search.trials_.leading();
-        if (best.score() > std::max(single, found.retuned.score()) + options_.least_gain) sharpen(half_sharp(best));
-        else if (!put_off.effects.empty()) sharpen(put_off);
+        const bool is_pair = pair.set.members() > 0 && has_members(best, pair.set.effects, pair.set.released);
+        if (!is_pair && best.score() > least) sharpen(half_sharp(best));
+        else if (is_pair && !pair.sharpened) sharpen(pair.set);
+        else if (!is_pair && !put_off.effects.empty()) sharpen(put_off);
         if (!result_.sets.empty()) further_rounds(static_cast<int>(trials_.leading().members()) + 1);
     }
 
@@ -124,6 +131,18 @@ class Search {
         for (const FittedSet& own : result_.blunt_corrections)
             if (own.anonymous.front().element != Element::sensor) most = std::max(most, own.score() - nothing);
         return trials_.leading().score() - nothing < kOutdone * most;
+    }
+
+    /// A set of the blunt search, half sharp; sharpened at once where that leaves next to nothing of what retuning misses.
+    struct Halved {
+        FittedSet set;
+        bool sharpened = false;
+    };
+    Halved look_sharper(const FittedSet& blunt, const Fit& retuned) {
+        Halved own{half_sharp(blunt)};
+        own.sharpened = is_worth_sharpening(own.set, retuned);
+        if (own.sharpened) sharpen(own.set);
+        return own;
     }
 
     FittedSet half_sharp(const FittedSet& blunt) const {

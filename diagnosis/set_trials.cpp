@@ -151,10 +151,7 @@ void SetTrials::finish_best(std::size_t members) {
 }
 
 bool SetTrials::is_fitted_better(const Fit& near, const std::vector<Candidate>& members, const std::vector<std::string>& released) const {
-    const auto is_it = [&](const FittedSet& set) {
-        return set.fit.converged && set.released == released &&
-               std::equal(set.effects.begin(), set.effects.end(), members.begin(), members.end(), [](const Candidate& a, const Candidate& b) { return same_variant(a.instance, b.instance); });
-    };
+    const auto is_it = [&](const FittedSet& set) { return set.fit.converged && has_members(set, members, released); };
     const auto known = std::find_if(result_.sets.begin(), result_.sets.end(), is_it);
     if (known == result_.sets.end()) return false;
     const Supposition supposition = suppose(believed_, near, members, released, {}, context_);
