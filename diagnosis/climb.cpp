@@ -25,8 +25,8 @@ constexpr double kHope = 3.0;             ///< times its promise, a fit may stil
 constexpr double kPace = 12.0;            ///< or times what its last step brought: a ridge is climbed in many equal steps
 constexpr double kSurprise = 1.5;         ///< times what a step promised
 constexpr double kKept = 0.7;             ///< of what a step by carried derivatives promised, that it has to bring for them to be carried on; and the other way round
-constexpr double kLongestShare = 3.0;     ///< of a step, to which its direction is followed
-constexpr double kWorthLooking = 0.2;     ///< of a step's gain, that another place along it has to promise beyond
+constexpr double kLongestShare = 3.0;     ///< of a step, to which its direction is followed: with 5 most places that far along were worse than the step itself
+constexpr double kWorthLooking = 0.2;     ///< of a step's gain, that another place along it has to promise beyond: looking costs one prediction, the derivatives of another step thirty
 constexpr int kMostCarried = 6;           ///< steps
 
 bool is_diagonal(const Unknown& unknown) { return unknown.kind == UnknownKind::noise || unknown.kind == UnknownKind::floor; }

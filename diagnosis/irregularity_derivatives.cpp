@@ -47,8 +47,8 @@ class NodeWeight {
 struct Given {
     const pem::DelayedSpectrum& source;
     FineGrid grid;
+    std::vector<double> power;      ///< at every line
     Values responses;               ///< [channel][line]
-    std::vector<double> power = powers_at_lines(source, grid);
 };
 
 /// A weight at a fine line. Where a band begins or ends within the line's cell, the line's power is the mean over the cell, and so is the weighted.
@@ -100,7 +100,8 @@ std::vector<Values> irregularity_derivatives(const Trial& trial, const std::vect
     const ExpectationOptions& options = observation.expectation;
     const FineGrid grid = fine_grid(observation.kernel, at.first_bin, at.bins(), options.oversampling);
     const recordings::KernelWeights kernel = options.weights.weights.empty() ? expectation_weights(observation.kernel, options.oversampling) : options.weights;
-    const Given given{irregularity, grid, fine_responses(known.of_irregularity, irregularity, powers_at_lines(irregularity, grid), wheels, speed, grid)};
+    const std::vector<double> power = met_powers(parameters, irregularity, speed, grid, &known.powers).at_lines;
+    const Given given{irregularity, grid, power, fine_responses(known.of_irregularity, irregularity, power, wheels, speed, grid)};
     std::vector<NodeWeight> weights;
     std::vector<Values> result;
     for (const Unknown* unknown : unknowns) {

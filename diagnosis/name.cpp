@@ -82,6 +82,8 @@ class Search {
         if (const std::size_t left = trials_.prune(); left > 0) further_rounds(static_cast<int>(left) + 1);
     }
 
+    void grow_leading() { further_rounds(static_cast<int>(trials_.leading().members()) + 1); }
+
     /// The search for one or two effects with a blunt likelihood, in which the retuned case stays near what was believed. The best single is sharpened first: where it leaves little,
     /// the search goes on from it, and nothing else need be asked of the blunt. Otherwise from the best set, sharpened.
     void blunt_search() {
@@ -100,27 +102,30 @@ class Search {
         if (single > found.retuned.score() + options_.least_gain) {
             Halved half = look_sharper(search.trials_.leading(), found.retuned.fit);
             if (!half.sharpened && is_approximate(half.set)) put_off = std::move(half.set);
-            if (trials_.names() && leaves_little()) return further_rounds(static_cast<int>(trials_.leading().members()) + 1);
+            if (trials_.names() && leaves_little()) return grow_leading();
         }
         if (search.misses()) search.rescue_round();  // before anything is added to what stands in for it
         search.further_rounds(2);
         blunt_from_afar_ = std::move(search.blunt_from_afar_);
         const double least = std::max(single, found.retuned.score()) + options_.least_gain;
-        Halved pair;  // seen half sharp before more is looked for beside its first: bluntly fitted, the two effects of the paper may leave 780 nats
+        Halved seen;  // before more is looked for: what is there leaves misfit, too, as long as it is fitted bluntly (both effects of the paper, seed 9601)
         if (search.misses() && search.trials_.leading().score() > least) {
-            pair = look_sharper(search.trials_.leading(), found.retuned.fit);
-            if (trials_.names() && leaves_little()) return further_rounds(static_cast<int>(trials_.leading().members()) + 1);
+            seen = look_sharper(search.trials_.leading(), found.retuned.fit);
+            if (trials_.names() && leaves_little()) return grow_leading();
         }
         outdone_ = search.misses() && search.is_outdone();
         result_.blunt_corrections = std::move(found.blunt_corrections);
         if (outdone_) return;
         search.rescue_beside();
         const FittedSet& best = search.trials_.leading();
-        const bool is_pair = pair.set.members() > 0 && has_members(best, pair.set.effects, pair.set.released);
-        if (!is_pair && best.score() > least) sharpen(half_sharp(best));
-        else if (is_pair && !pair.sharpened) sharpen(pair.set);
-        else if (!is_pair && !put_off.effects.empty()) sharpen(put_off);
-        if (!result_.sets.empty()) further_rounds(static_cast<int>(trials_.leading().members()) + 1);
+        if (best.score() <= least) {
+            if (!put_off.effects.empty()) sharpen(put_off);
+        } else if (!has_members(best, seen.set.effects, seen.set.released)) {
+            sharpen(half_sharp(best));
+        } else if (!seen.sharpened) {
+            sharpen(seen.set);
+        }
+        if (!result_.sets.empty()) grow_leading();
     }
 
     /// Whether an unknown of one place explains so much more than the best names, bluntly, that no search will end with a name. Sensors do not count, as in is_evident_among().

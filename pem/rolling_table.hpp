@@ -17,8 +17,8 @@ struct RollingTable {
 };
 
 /// Up to `to_hz`. The step is 4 Hz, and as much finer as the pads' loss tangent is below 0.4: the rail on its pads resonates as narrowly. Nothing where `model` is at rest.
-/// `near`: of a case that differs by little, of which a derivative is taken: above 60 Hz every second line tells how, and the difference is interpolated between them. Derivatives by numbers are right to 2e-3, by
-/// corrections with a kink at a node to 1 %.
+/// `near`: of a case that differs by little, of which a derivative is taken: from the fifteenth line on every second tells how, and the difference is interpolated between them. Where the difference is smooth it is right
+/// to 2e-3 (RollingTable.ChangeIsToldByEverySecondLine); a correction that bends at a node is told less well.
 RollingTable rolling_table(const CoupledModel& model, double speed_m_per_s, double to_hz, const RollingTable* near = nullptr);
 
 /// R_m at a frequency of either sign, [felt at·4 + force at], m/N; six-point Lagrange. Zero beyond the orders of the table.

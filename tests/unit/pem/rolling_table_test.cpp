@@ -5,13 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pem/passing_modulation.hpp"
 #include "tests/verification/pem/paper_case.hpp"
 
 namespace railpem::pem {
 namespace {
 
-constexpr double kTableSpeed = 22.0, kEnd = 250.0, kToldByAll_hz = 60.0;
+constexpr double kTableSpeed = 22.0, kEnd = 250.0;
 
 CaseParameters rolling_case() {
     CaseParameters c = tests::paper_case(1);
@@ -40,7 +39,7 @@ TEST(RollingTable, ChangeIsToldByEverySecondLine) {
         EXPECT_LE(apart(told, exact, line), 2e-3 * apart(exact, before, line)) << "line " << line;
         if (apart(told, exact, line) == 0.0) continue;
         ++between;
-        EXPECT_GE(static_cast<double>(line) * exact.step_hz, kToldByAll_hz);
+        EXPECT_GE(line, 15u);
     }
     EXPECT_GT(between, 15);
 }
