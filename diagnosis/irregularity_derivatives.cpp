@@ -100,8 +100,8 @@ std::vector<Values> irregularity_derivatives(const Trial& trial, const std::vect
     const ExpectationOptions& options = observation.expectation;
     const FineGrid grid = fine_grid(observation.kernel, at.first_bin, at.bins(), options.oversampling);
     const recordings::KernelWeights kernel = options.weights.weights.empty() ? expectation_weights(observation.kernel, options.oversampling) : options.weights;
-    const std::vector<double> power = met_powers(parameters, irregularity, speed, grid, &known.powers).at_lines;
-    const Given given{irregularity, grid, power, fine_responses(known.of_irregularity, irregularity, power, wheels, speed, grid)};
+    const std::vector<double> at_lines = met_powers(parameters, irregularity, speed, grid, &known.powers).at_lines;
+    const Given given{irregularity, grid, at_lines, fine_responses(known.of_irregularity, irregularity, at_lines, wheels, speed, grid)};
     std::vector<NodeWeight> weights;
     std::vector<Values> result;
     for (const Unknown* unknown : unknowns) {
