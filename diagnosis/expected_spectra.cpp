@@ -167,7 +167,8 @@ ExpectationCache prepared(const pem::CaseParameters& parameters, double speed, c
     own.rails = same_rail && known->transfers.lines == lines.lines ? known->rails : channel_rails(parameters, model, rolling, lines, options);
     own.transfers = channel_transfers(parameters, model, channels, grid, options, &own.rails);
     const SolvedLines solved{model, own.rails, lines.from_hz, lines.step_hz, lines.lines};
-    if (has_friction(parameters)) add_friction(parameters, solved, {sources, own.level_rails, options.friction_power}, channels, bin_hz, expected);
+    if (has_friction(parameters)) add_friction(parameters, solved, {sources, own.level_rails, options.friction_power, options.realised_friction.get()}, channels, bin_hz, expected);
+    if (options.realised_friction) follow_damping(parameters, solved, *options.realised_friction, channels, own.transfers);
     if (has_own_forces(parameters)) add_own_forces(parameters, solved, channels, bin_hz, expected);
     own.friction = model.car.friction;
     own.pads = pem::pad_transfers(parameters, model, same_rail && !known->pads.rail.empty() ? &known->pads : nullptr);

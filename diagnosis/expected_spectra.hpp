@@ -11,6 +11,7 @@
 #include "pem/excitation.hpp"
 #include "pem/pad_distortion.hpp"
 #include "pem/modulated_forces.hpp"
+#include "pem/realised_friction.hpp"
 #include "pem/wheel_transfers.hpp"
 #include "recordings/cross_spectra.hpp"
 
@@ -43,6 +44,11 @@ struct ExpectedSpectra {
     }
 };
 
+/// Of both stages; without curves where they have no friction.
+struct StageFriction {
+    pem::RealisedFriction primary, secondary;
+};
+
 /// How the expectation is computed.
 struct ExpectationOptions {
     double low_hz = 4.0;
@@ -53,6 +59,7 @@ struct ExpectationOptions {
     bool sharp = true;              ///< else, for who forgives a tenth: no modulation by equal seats (29 to 40 dB below the rest), derivatives from every second line of the rolling rail's table
     int threads = 0;
     double friction_power = 1.0;    ///< of the forces that friction has beside its equivalent damping, over that of a constant force
+    std::shared_ptr<const StageFriction> realised_friction;  ///< what it does where velocities are not Gaussian; none: as if they were
     pem::ContactDistortion contacts; ///< what they distort, but for the case's nonlinearity; not smoothed by the kernel: broad and weak
     recordings::KernelWeights weights;  ///< of the kernel, when whoever asks often has them already; else computed
 };

@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <numbers>
 
 #include "pem/linearise.hpp"
 
@@ -13,14 +11,12 @@ namespace railpem::diagnosis {
 
 namespace {
 
-/// Takes in the velocities of a recording's elements; `over_viscous` is a sum over `count` elements then.
+/// Takes in the velocities of a recording's elements.
 template <std::size_t elements>
-void take_in(const std::array<double, elements>& velocities, const vehicle::SuspensionParameters& stage, FrictionLevel& level, int& count) {
+void take_in(const std::array<double, elements>& velocities, FrictionLevel& level) {
     const auto [least, most] = std::minmax_element(velocities.begin(), velocities.end());
     level.slowest_m_per_s = level.fastest_m_per_s == 0.0 ? *least : std::min(level.slowest_m_per_s, *least);
     level.fastest_m_per_s = std::max(level.fastest_m_per_s, *most);
-    for (const double velocity : velocities) level.over_viscous += stage.friction_force_n * std::sqrt(2.0 / std::numbers::pi) / velocity / stage.damping_n_s_per_m;
-    count += static_cast<int>(elements);
 }
 
 pem::Linearisation linearisation_of(const pem::CaseParameters& parameters, double speed) {
@@ -32,18 +28,15 @@ pem::Linearisation linearisation_of(const pem::CaseParameters& parameters, doubl
 
 std::vector<FrictionLevel> friction_levels(const Trial& trial, const BelievedCase& believed, const std::vector<Observation>& observations) {
     FrictionLevel primary{.stage = Element::primary}, secondary{.stage = Element::secondary};
-    int primaries = 0, secondaries = 0;
     for (const Observation& observation : observations) {
         if (observation.scalar || observation.speed_m_per_s == 0.0) continue;
         const pem::CaseParameters parameters = case_of(trial, believed, observation);
         const vehicle::SuspensionParameters &first = parameters.vehicle.primary, &second = parameters.vehicle.secondary;
         if (first.friction_force_n == 0.0 && second.friction_force_n == 0.0) continue;
         const pem::Linearisation own = linearisation_of(parameters, observation.speed_m_per_s);
-        if (first.friction_force_n > 0.0) take_in(own.primary_velocity_m_per_s, first, primary, primaries);
-        if (second.friction_force_n > 0.0) take_in(own.secondary_velocity_m_per_s, second, secondary, secondaries);
+        if (first.friction_force_n > 0.0) take_in(own.primary_velocity_m_per_s, primary);
+        if (second.friction_force_n > 0.0) take_in(own.secondary_velocity_m_per_s, secondary);
     }
-    if (primaries > 0) primary.over_viscous /= primaries;
-    if (secondaries > 0) secondary.over_viscous /= secondaries;
     std::vector<FrictionLevel> levels{primary, secondary};
     std::erase_if(levels, [](const FrictionLevel& own) { return own.fastest_m_per_s == 0.0; });
     return levels;

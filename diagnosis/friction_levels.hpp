@@ -12,7 +12,6 @@ namespace railpem::diagnosis {
 struct FrictionLevel {
     Element stage = Element::primary;
     double slowest_m_per_s = 0.0, fastest_m_per_s = 0.0;  ///< over elements and recordings
-    double over_viscous = 0.0;  ///< its equivalent damping over the stage's own, mean of elements and recordings; infinite where the stage has none
 };
 
 /// Of every stage in which `trial` has friction, over the time series of a vehicle, as statistical linearisation finds them (pem::linearise()); none without friction or such a recording.

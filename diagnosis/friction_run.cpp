@@ -63,7 +63,7 @@ double deviation_with_run(const Fit& fit, double speed, const LikelihoodContext&
     with.observations = &observations;
     more.predictions = predict(more.trial, with);
     more.gradient = Eigen::VectorXd::Zero(static_cast<long>(more.unknowns.size()));
-    return friction_law(more, with).value().deviation;
+    return friction_power(more, with).value().deviation;
 }
 
 std::string would_tell_friction(const Fit& fit, const LikelihoodContext& context) {

@@ -41,8 +41,8 @@ Rival of_another_law(Rival& constant, const FrictionLaw& law, double probability
     other.effects = without_name_of_friction(constant.effects);
     for (EffectInstance& instance : other.instances)
         if (is_friction(instance)) instance.effect = "unknown", instance.values.clear();
-    other.why_not = fmt::format("nothing speaks against it so far: the forces that friction has beside its damping have {:.2g} +- {:.2g} times the power that a constant force has where velocities are Gaussian, and friction that sticks harder than it slides has more",
-                                law.power, law.deviation);
+    other.why_not = fmt::format("nothing speaks against it so far: the forces that friction has beside its damping have {:.2g} +- {:.2g} times the power that a constant force has where velocities are Gaussian, a constant one would seem to have {:.2g} here, and friction that sticks harder than it slides has more",
+                                law.power, law.deviation, law.expected);
     constant.probability *= 1.0 - probability;
     other.probability *= probability;
     other.would_separate = test;

@@ -25,4 +25,16 @@ struct InnerTransfers {
 InnerTransfers inner_transfers(const CoupledModel& model, vehicle::Law law, double from_hz, double step_hz, std::size_t lines,
                                const std::vector<std::size_t>& responses, const std::vector<RailGroup>& rails);
 
+/// How the elements of a stage move, on the uniform grid from_hz + i·step_hz.
+struct ElementTransfers {
+    double from_hz = 0.0;
+    double step_hz = 1.0;
+    std::size_t lines = 0, elements = 0;
+    std::vector<std::complex<double>> mobility;  ///< [line][moved][forced]: velocity across an element by a unit force that elongates one, (m/s)/N
+    std::vector<std::complex<double>> by_wheel;  ///< [line][element][wheel]: velocity by a unit irregularity under a wheel, 1/s
+};
+
+/// Of a stage of a prepared and linearised model, arguments as above.
+ElementTransfers element_transfers(const CoupledModel& model, vehicle::Law law, double from_hz, double step_hz, std::size_t lines, const std::vector<RailGroup>& rails);
+
 }  // namespace railpem::pem

@@ -30,19 +30,6 @@ TEST(FrictionLevels, AreVelocitiesThatDoubleWithTheIrregularity) {
     EXPECT_NEAR(twice[0].fastest_m_per_s, 2.0 * once[0].fastest_m_per_s, 1e-6 * once[0].fastest_m_per_s);
 }
 
-// Its equivalent damping F·√(2/π)/σ goes with the force and, so little of it, against the velocity.
-TEST(FrictionLevels, WeighItAgainstTheDamperOfItsStage) {
-    const Synthesised made = slow_and_fast();
-    Trial trial = believed_trial(made.believed, made.shapes);
-    trial.numbers.vehicle.primary.friction_force_n = 1e-3;
-    const FrictionLevel once = levels_of(made, trial).front();
-    const double damping = trial.numbers.vehicle.primary.damping_n_s_per_m, least = 1e-3 * 0.7978845608 / damping / once.fastest_m_per_s, most = 1e-3 * 0.7978845608 / damping / once.slowest_m_per_s;
-    EXPECT_GT(once.over_viscous, least);
-    EXPECT_LT(once.over_viscous, most);
-    trial.numbers.vehicle.primary.friction_force_n = 2e-3;
-    EXPECT_NEAR(levels_of(made, trial).front().over_viscous, 2.0 * once.over_viscous, 1e-6 * once.over_viscous);
-}
-
 TEST(FrictionLevels, SayWhere) {
     const Synthesised made = slow_and_fast();
     Trial trial = believed_trial(made.believed, made.shapes);

@@ -31,14 +31,14 @@ std::vector<Rival> rivals_where(const FrictionLaw& law) {
                       .retuned = naming.retuned, .named = naming.sets.front()});
 }
 
-TEST(Rivals, AreNoneBesideAFrictionThatIsConstant) { EXPECT_TRUE(rivals_where({1.1, 0.02, 0.5}).empty()); }
+TEST(Rivals, AreNoneBesideAFrictionThatIsConstant) { EXPECT_TRUE(rivals_where({1.1, 0.015, 1.1}).empty()); }
 
 TEST(Rivals, OfAFrictionThatMayBeAnotherAreBothLaws) {
-    const std::vector<Rival> rivals = rivals_where({1.1, 0.3, 0.5});
+    const std::vector<Rival> rivals = rivals_where({1.1, 0.3, 1.1});
     ASSERT_EQ(rivals.size(), 2u);
     EXPECT_EQ(rivals[0].effects, (std::vector<std::string>{"suspension-friction", "sensor-gain"}));
     EXPECT_EQ(rivals[1].effects, (std::vector<std::string>{"unknown", "sensor-gain"}));
-    EXPECT_NEAR(rivals[1].probability, probability_of_another({1.1, 0.3, 0.5}), 1e-12);
+    EXPECT_NEAR(rivals[1].probability, probability_of_another({1.1, 0.3, 1.1}), 1e-12);
     EXPECT_NEAR(rivals[0].probability + rivals[1].probability, 1.0, 1e-12);
     ASSERT_EQ(rivals[1].instances.size(), 2u);
     EXPECT_EQ(rivals[1].instances[0].effect, "unknown");

@@ -224,9 +224,9 @@ TEST(Decide, WithholdsTheNameWhereRecordingsDisagreeAboutIt) {
 TEST(Decide, AsksWhetherFrictionIsConstant) {
     const NamingResult naming = naming_of({set_of({"suspension-friction"}, {}, 1000.0, 300.0)});
     for (const auto& [power, deviation, verdict] :
-         {std::tuple(1.1, 0.05, Verdict::explained), std::tuple(1.7, 0.05, Verdict::unexplained), std::tuple(1.7, 0.2, Verdict::ambiguous), std::tuple(1.1, 0.3, Verdict::ambiguous)}) {
+         {std::tuple(1.15, 0.02, Verdict::explained), std::tuple(1.5, 0.05, Verdict::unexplained), std::tuple(1.5, 0.2, Verdict::ambiguous), std::tuple(1.2, 0.3, Verdict::ambiguous)}) {
         PlaceStudy study;
-        study.friction = FrictionLaw{power, deviation, 0.5};
+        study.friction = FrictionLaw{power, deviation, 1.2};
         const Decision decision = decide(naming, study, thresholds);
         EXPECT_EQ(decision.verdict, verdict) << power;
         EXPECT_EQ(decision.other_friction > 0.0, verdict == Verdict::ambiguous) << power;
@@ -237,7 +237,7 @@ TEST(Decide, AsksWhetherFrictionIsConstant) {
 TEST(Posterior, HasOneUnknown) {
     const NamingResult naming = naming_of({set_of({"suspension-friction"}, {}, 1000.0, 300.0)});
     PlaceStudy study;
-    study.friction = FrictionLaw{1.335, 0.3, 0.5};
+    study.friction = FrictionLaw{1.02, 0.3, 1.0};
     const std::vector<EffectSet> posterior = posterior_of(naming, decide(naming, study, thresholds));
     ASSERT_EQ(posterior.size(), 3u);
     for (const EffectSet& own : posterior) EXPECT_NEAR(own.probability, own.effects.empty() ? 0.0 : 0.5, 1e-12);
@@ -246,7 +246,7 @@ TEST(Posterior, HasOneUnknown) {
 TEST(Posterior, GivesFrictionOfAnotherLawItsShare) {
     const NamingResult naming = naming_of({set_of({"suspension-friction", "sensor-gain"}, {}, 1000.0, 300.0)});
     PlaceStudy study;
-    study.friction = FrictionLaw{1.335, 0.3, 0.5};
+    study.friction = FrictionLaw{1.02, 0.3, 1.0};
     const std::vector<EffectSet> posterior = posterior_of(naming, decide(naming, study, thresholds));
     double sum = 0.0, constant = 0.0, other = 0.0;
     for (const EffectSet& own : posterior) {

@@ -90,6 +90,33 @@ TEST_P(InnerTransferOfStage, IsTheDerivativeWithTheStiffness) {
     }
 }
 
+// A slightly stiffer stage is the old one with forces of the difference in its elements, whose velocities the mobilities then tell.
+TEST_P(InnerTransferOfStage, MovesTheElementsAsTheyAreMovedByTheStiffness) {
+    CaseParameters parameters = tests::paper_case(1);
+    const CoupledModel model = coupled_model(parameters, kSpeed);
+    const std::vector<RailGroup> rails = rail_groups(model, kFrom, kStep, kLines, 1, 1);
+    const ElementTransfers own = element_transfers(model, GetParam().law, kFrom, kStep, kLines, rails);
+    const double change = 1e-5 * GetParam().of(parameters).stiffness_n_per_m;
+    const auto changed = [&](double sign) {
+        CaseParameters other = parameters;
+        GetParam().of(other).stiffness_n_per_m += sign * change;
+        return coupled_model(other, kSpeed);
+    };
+    const CoupledModel up = changed(1.0), down = changed(-1.0);
+    for (std::size_t line = 0; line < kLines; line += 7) {
+        const std::complex<double> s(0.0, 2.0 * std::numbers::pi * (kFrom + kStep * static_cast<double>(line)));
+        const auto before = elongations(model, GetParam().law, s.imag()), more = elongations(up, GetParam().law, s.imag()), less = elongations(down, GetParam().law, s.imag());
+        for (std::size_t i = 0; i < before.size(); ++i)
+            for (std::size_t wheel = 0; wheel < 4; ++wheel) {
+                std::complex<double> by_forces;
+                for (std::size_t e = 0; e < before.size(); ++e) by_forces -= own.mobility[(line * before.size() + i) * before.size() + e] * before[e][wheel];
+                const std::complex<double> slope = s * (more[i][wheel] - less[i][wheel]) / (2.0 * change), velocity = own.by_wheel[(line * before.size() + i) * 4 + wheel];
+                EXPECT_NEAR(std::abs(velocity - s * before[i][wheel]), 0.0, 1e-9 * std::abs(velocity));
+                EXPECT_NEAR(std::abs(slope - by_forces), 0.0, 1e-5 * std::abs(by_forces)) << GetParam().name << line;
+            }
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Stages, InnerTransferOfStage,
                          testing::Values(Stage{"secondary", vehicle::Law::secondary, [](CaseParameters& c) -> vehicle::SuspensionParameters& { return c.vehicle.secondary; }},
                                          Stage{"primary", vehicle::Law::primary, [](CaseParameters& c) -> vehicle::SuspensionParameters& { return c.vehicle.primary; }}),
