@@ -1,6 +1,7 @@
 #include "pem/realised_friction.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -19,8 +20,12 @@ using Histories = std::vector<std::vector<double>>;   // [element][time]
 struct Period {
     std::size_t length = 16, half = 9;           // samples, lines
     std::vector<Eigen::MatrixXcd> excite;        // S = excite·exciteᴴ, empty where nothing is excited
-    std::vector<Eigen::MatrixXcd> fed_back;      // mobility·c
+    std::vector<Eigen::MatrixXcd> passed;        // (1 + Y·(γ − c))⁻¹, Y the mobility of the linearised model
+    std::vector<Eigen::MatrixXcd> fed_back;      // passed·Y·γ
 };
+
+/// γ of the splitting over c: a stiffer one needs half the iterations where friction is as strong as the damper, and beyond it no fewer.
+constexpr double kStiffer = 2.0;
 
 std::size_t offset_of(const VelocitySpectra& velocity) { return std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(velocity.from_hz / velocity.step_hz))); }
 
@@ -47,7 +52,9 @@ Period period_of(const VelocitySpectra& velocity, const ElementTransfers& transf
     for (std::size_t k = 0; k < period.half; ++k) {
         const std::size_t line = std::clamp(k, offset, velocity.lines - 1 + offset) - offset;
         const double beyond = k < offset ? static_cast<double>(k) / static_cast<double>(offset) : static_cast<double>(line + offset) / static_cast<double>(k);
-        period.fed_back.push_back(beyond * matrix_at(transfers.mobility, line, n) * c.asDiagonal());
+        const Eigen::MatrixXcd damped = beyond * matrix_at(transfers.mobility, line, n) * c.asDiagonal();
+        period.passed.push_back((Eigen::MatrixXcd::Identity(damped.rows(), damped.cols()) + (kStiffer - 1.0) * damped).inverse());
+        period.fed_back.push_back(kStiffer * period.passed.back() * damped);
         if (line + offset == k) period.excite[k] = root_of(matrix_at(velocity.values, line, n));
     }
     return period;
@@ -73,21 +80,32 @@ struct Realisation {
     Histories velocity, force;
 };
 
-/// One half of the splitting: what the linear rest makes of w, x = v_0 + Y·c·w.
-void respond(const Period& period, const Spectra& excited, const Histories& w, Eigen::FFT<double>& transform, Histories& x) {
+/// What stays the same of a realisation.
+Spectra passed_of(const Period& period, const Spectra& excited) {
+    Spectra result = excited;
+    for (std::size_t k = 0; k < period.half; ++k)
+        for (std::size_t i = 0; i < excited.size(); ++i) {
+            result[i][k] = 0.0;
+            for (std::size_t j = 0; j < excited.size(); ++j) result[i][k] += period.passed[k](static_cast<long>(i), static_cast<long>(j)) * excited[j][k];
+        }
+    return result;
+}
+
+/// One half of the splitting: what the linear rest makes of w, x = (1 + Y·(γ − c))⁻¹·(v_0 + Y·γ·w).
+void respond(const Period& period, const Spectra& passed, const Histories& w, Eigen::FFT<double>& transform, Histories& x) {
     const std::size_t n = w.size();
     Spectra of_w(n), of_x(n, std::vector<Complex>(period.half));
     for (std::size_t i = 0; i < n; ++i) transform.fwd(of_w[i], w[i]);
     for (std::size_t k = 0; k < period.half; ++k)
         for (std::size_t i = 0; i < n; ++i) {
-            Complex sum = excited[i][k];
+            Complex sum = passed[i][k];
             for (std::size_t j = 0; j < n; ++j) sum += period.fed_back[k](static_cast<long>(i), static_cast<long>(j)) * of_w[j][k];
             of_x[i][k] = sum;
         }
     for (std::size_t i = 0; i < n; ++i) transform.inv(x[i], of_x[i]);
 }
 
-/// The other half: what friction of c·`slip` lets pass of 2x − w. Moves w, and returns by how much beside x.
+/// The other half: what friction of γ·`slip` lets pass of 2x − w. Moves w, and returns by how much beside x.
 double slide(const std::vector<double>& x, double slip, std::vector<double>& w, double& all) {
     double moved = 0.0;
     for (std::size_t t = 0; t < x.size(); ++t) {
@@ -99,23 +117,26 @@ double slide(const std::vector<double>& x, double slip, std::vector<double>& w, 
     return moved;
 }
 
-/// At the end w = v − f/c.
+/// At the end w = v − f/γ.
 Realisation realise(const Period& period, const Spectra& excited, const std::vector<double>& damping, double force, const RealisationOptions& options, Eigen::FFT<double>& transform) {
     const std::size_t n = damping.size();
+    const Spectra passed = passed_of(period, excited);
+    std::vector<double> slip;
+    for (const double c : damping) slip.push_back(force / (kStiffer * c));
     Histories w(n), x(n, std::vector<double>(period.length));
     for (std::size_t i = 0; i < n; ++i) {
         transform.inv(w[i], excited[i]);
-        for (double& own : w[i]) own -= std::copysign(force / damping[i], own);
+        for (double& own : w[i]) own -= std::copysign(slip[i], own);
     }
     for (int iteration = 0; iteration < options.most_iterations; ++iteration) {
-        respond(period, excited, w, transform, x);
+        respond(period, passed, w, transform, x);
         double moved = 0.0, all = 0.0;
-        for (std::size_t i = 0; i < n; ++i) moved += slide(x[i], force / damping[i], w[i], all);
+        for (std::size_t i = 0; i < n; ++i) moved += slide(x[i], slip[i], w[i], all);
         if (moved <= options.settled * options.settled * all) break;
     }
     Realisation result{x, x};
     for (std::size_t i = 0; i < n; ++i)
-        for (std::size_t t = 0; t < period.length; ++t) result.force[i][t] = std::clamp(damping[i] * (x[i][t] - w[i][t]), -force, force);
+        for (std::size_t t = 0; t < period.length; ++t) result.force[i][t] = std::clamp(kStiffer * damping[i] * (x[i][t] - w[i][t]), -force, force);
     return result;
 }
 
