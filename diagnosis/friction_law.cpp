@@ -13,8 +13,9 @@ namespace railpem::diagnosis {
 namespace {
 
 // docs/theory/diagnosis.md
-constexpr double kConstant = 1.04;               // half of what a force has that holds 1.5 times as much at rest
+constexpr double kConstant = 1.04;               // a constant force has 0.77 to 1.0, one that holds 1.4 to 2 times as much at rest 1.06 to 1.15
 constexpr double kRealised = 0.01;               // scatter of what is expected with the seed of its realisations
+constexpr double kStrong = 1.5, kUntold = 0.05;  // expected of a force that holds its stage for most of the time: one of twice as much at rest had 1.03 there
 constexpr double kAgainst = 3.0, kWithin = 2.0;  // deviations
 
 FrictionLaw law_with(const Fit& fit, const LikelihoodContext& context, const std::vector<PredictionDerivative>& derivatives) {
@@ -40,7 +41,7 @@ std::optional<FrictionLaw> friction_law(const Fit& fit, const LikelihoodContext&
 
 double FrictionLaw::ratio() const { return power / expected; }
 
-double FrictionLaw::uncertainty() const { return std::hypot(deviation / expected, kRealised); }
+double FrictionLaw::uncertainty() const { return std::hypot(deviation / expected, expected > kStrong ? kUntold : kRealised); }
 
 bool is_another(const FrictionLaw& law) { return law.ratio() - kAgainst * law.uncertainty() > 1.0; }
 

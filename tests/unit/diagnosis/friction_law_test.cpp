@@ -104,6 +104,14 @@ TEST(FrictionLaw, IsSettledByTwoOrThreeDeviations) {
 // A power that is as good as known is known no better than what is expected of a constant force.
 TEST(FrictionLaw, KnowsNoBetterThanWhatIsExpected) { EXPECT_NEAR((FrictionLaw{1.0, 0.0, 1.0}).uncertainty(), 0.01, 1e-12); }
 
+// A force that holds its stage for most of the time has forces beside its damping as one has that sticks harder.
+TEST(FrictionLaw, IsOpenWhereItSlidesSeldom) {
+    EXPECT_FALSE(is_open({1.4, 0.02, 1.4}));
+    EXPECT_TRUE(is_open({1.7, 0.02, 1.7}));
+    EXPECT_FALSE(is_another({1.9, 0.02, 1.7}));
+    EXPECT_TRUE(is_another({1.7 * 1.2, 0.02, 1.7}));
+}
+
 TEST(FrictionLaw, IsAnotherWithTheProbabilityThatItIsBeyond) {
     EXPECT_NEAR(probability_of_another({1.02, 0.3, 1.0}), 0.5, 1e-12);
     const double deviation = std::sqrt(0.3 * 0.3 + 0.01 * 0.01 + 0.02 * 0.02);
