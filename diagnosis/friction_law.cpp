@@ -15,12 +15,18 @@ namespace {
 // docs/theory/diagnosis.md
 constexpr double kConstant = 1.04;               // a constant force has 0.77 to 1.0, one that holds 1.4 to 2 times as much at rest 1.06 to 1.15
 constexpr double kRealised = 0.01;               // scatter of what is expected with the seed of its realisations
-constexpr double kStrong = 1.5, kUntold = 0.05;  // expected of a force that holds its stage for most of the time: one of twice as much at rest had 1.03 there
+constexpr double kStrong = 1.5, kUntold = 0.05;  // expected of a force that holds its stage for most of the time: one of twice as much at rest had 1.03 there; at one speed one of 1.4 times as much had 1.00
+constexpr double kSameSpeed = 0.05;              // relative
 constexpr double kAgainst = 3.0, kWithin = 2.0;  // deviations
+
+double speed_of(const LikelihoodContext& context, const PredictionDerivative& derivative) { return (*context.observations)[static_cast<std::size_t>(derivative.observation)].speed_m_per_s; }
 
 FrictionLaw law_with(const Fit& fit, const LikelihoodContext& context, const std::vector<PredictionDerivative>& derivatives) {
     const FreedomPromise promise = promises_of(fit, {{power_of_friction()}}, context, [&](std::size_t) { return derivatives; }).front();
-    return {.power = 1.0 + promise.values(0), .deviation = std::sqrt(promise.covariance(0, 0))};
+    FrictionLaw law{.power = 1.0 + promise.values(0), .deviation = std::sqrt(promise.covariance(0, 0)), .at_one_speed = true};
+    for (const PredictionDerivative& own : derivatives)
+        law.at_one_speed = law.at_one_speed && std::abs(speed_of(context, own) - speed_of(context, derivatives.front())) < kSameSpeed * speed_of(context, derivatives.front());
+    return law;
 }
 
 }  // namespace
@@ -41,7 +47,7 @@ std::optional<FrictionLaw> friction_law(const Fit& fit, const LikelihoodContext&
 
 double FrictionLaw::ratio() const { return power / expected; }
 
-double FrictionLaw::uncertainty() const { return std::hypot(deviation / expected, expected > kStrong ? kUntold : kRealised); }
+double FrictionLaw::uncertainty() const { return std::hypot(deviation / expected, expected > kStrong || at_one_speed ? kUntold : kRealised); }
 
 bool is_another(const FrictionLaw& law) { return law.ratio() - kAgainst * law.uncertainty() > 1.0; }
 

@@ -54,6 +54,8 @@ TEST(FrictionLaw, IsKnownWorseAtOneSpeed) {
     const FrictionLaw one = law_of(with_friction({22.2}, 1.0)), three = law_of(with_friction({15.0, 22.2, 33.0}, 1.0));
     EXPECT_GT(one.deviation, 4.0 * three.deviation) << one.deviation << " " << three.deviation;
     EXPECT_TRUE(is_open(one)) << one.power;
+    EXPECT_TRUE(one.at_one_speed);
+    EXPECT_FALSE(three.at_one_speed);
 }
 
 // What a further run is said to tell is what it tells, but for the force at which that is asked: at one speed it is known to a tenth or two, and 15, 27 and 31 % lay between promise and run in three draws.
@@ -110,6 +112,13 @@ TEST(FrictionLaw, IsOpenWhereItSlidesSeldom) {
     EXPECT_TRUE(is_open({1.7, 0.02, 1.7}));
     EXPECT_FALSE(is_another({1.9, 0.02, 1.7}));
     EXPECT_TRUE(is_another({1.7 * 1.2, 0.02, 1.7}));
+}
+
+TEST(FrictionLaw, IsOpenAtOneSpeed) {
+    EXPECT_FALSE(is_open({1.2, 0.02, 1.2}));
+    EXPECT_TRUE(is_open({1.2, 0.02, 1.2, true}));
+    EXPECT_FALSE(is_another({1.32, 0.02, 1.2, true}));
+    EXPECT_TRUE(is_another({1.32, 0.02, 1.2}));
 }
 
 TEST(FrictionLaw, IsAnotherWithTheProbabilityThatItIsBeyond) {
