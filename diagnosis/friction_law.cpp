@@ -47,15 +47,17 @@ std::optional<FrictionLaw> friction_law(const Fit& fit, const LikelihoodContext&
 
 double FrictionLaw::ratio() const { return power / expected; }
 
-double FrictionLaw::uncertainty() const { return std::hypot(deviation / expected, expected > kStrong || at_one_speed ? kUntold : kRealised); }
+double FrictionLaw::uncertainty() const { return std::hypot(deviation / expected, kRealised); }
+
+double FrictionLaw::untold() const { return expected > kStrong || at_one_speed ? std::hypot(deviation / expected, kUntold) : uncertainty(); }
 
 bool is_another(const FrictionLaw& law) { return law.ratio() - kAgainst * law.uncertainty() > 1.0; }
 
-bool is_open(const FrictionLaw& law) { return !is_another(law) && law.ratio() + kWithin * law.uncertainty() > kConstant; }
+bool is_open(const FrictionLaw& law) { return !is_another(law) && law.ratio() + kWithin * law.untold() > kConstant; }
 
 double probability_of_another(const FrictionLaw& law) {
     const double middle = 0.5 * (1.0 + kConstant), reach = 0.5 * (kConstant - 1.0);
-    return 0.5 * std::erfc((middle - law.ratio()) / (std::hypot(law.uncertainty(), reach) * std::numbers::sqrt2));
+    return 0.5 * std::erfc((middle - law.ratio()) / (std::hypot(law.untold(), reach) * std::numbers::sqrt2));
 }
 
 std::string said_of(const FrictionLaw& law) {

@@ -18,7 +18,8 @@ struct FrictionLaw {
     bool at_one_speed = false;  ///< the recordings have no two speeds
 
     double ratio() const;      ///< of the power over what is expected; a constant force whose sign does not jump but turns over some mm/s has less than 1
-    double uncertainty() const;  ///< of that, one deviation, with what realisations leave open, or a force so strong that it slides seldom, or one speed alone
+    double uncertainty() const;  ///< of that, one deviation, with what realisations leave open
+    double untold() const;       ///< the same for whoever calls it constant: a force so strong that it slides seldom, or one speed, tells little of what sticks harder
 };
 
 /// At the end of a fit whose caches are there (restore_caches()), to first order and with all its unknowns following, 1 believed within 1; none without friction or a time series of a vehicle. The fit has to have
