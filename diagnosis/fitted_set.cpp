@@ -87,6 +87,17 @@ void widen(const EffectParameter& parameter, Unknown& unknown) {
 
 double nats_beyond_range(const FittedSet& set) { return furthest_beyond(set).nats; }
 
+bool is_too_strong(const FittedSet& set) {
+    constexpr double kInexact = 3.0;
+    const Furthest most = furthest_beyond(set);
+    if (most.nats == 0.0) return false;
+    const double x = set.fit.values[most.unknown], deviation = set.fit.deviation(most.unknown);
+    const EffectParameter* parameter = parameter_of(set.fit.unknowns[most.unknown]);
+    if (!parameter || !parameter->strength || parameter->nothing >= parameter->high || x < set.fit.unknowns[most.unknown].high) return false;
+    const double beyond = from_coordinate(*parameter, x + set.fit.gradient(static_cast<long>(most.unknown)) * deviation * deviation);
+    return beyond - parameter->nothing > (1.0 + kInexact * parameter->inexact) * (parameter->high - parameter->nothing);
+}
+
 double part_log_likelihood(const Fit& fit, const LikelihoodContext& context, Part part) {
     if (fit.predictions.spectra.empty()) return -std::numeric_limits<double>::infinity();
     LikelihoodContext other = context;

@@ -58,6 +58,9 @@ std::optional<FittedSet> fit_beyond_range(const BelievedCase& believed, const Fi
 /// fit that leans on such a bound says that the physics is another. 0 when all lie inside.
 double nats_beyond_range(const FittedSet& set);
 
+/// Whether that parameter is a strength at the top of its range and would go, to second order, further beyond than its law may be wrong: three times EffectParameter::inexact.
+bool is_too_strong(const FittedSet& set);
+
 /// Log-likelihood of a part at a fit's values.
 double part_log_likelihood(const Fit& fit, const LikelihoodContext& context, Part part);
 
