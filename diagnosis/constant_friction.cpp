@@ -8,6 +8,7 @@
 
 #include "diagnosis/friction_spectra.hpp"
 #include "diagnosis/screen.hpp"
+#include "parameters/parameter_error.hpp"
 #include "pem/linearise.hpp"
 #include "pem/threads.hpp"
 
@@ -41,6 +42,16 @@ std::vector<Observation> that_expect_it(const Trial& trial, const LikelihoodCont
 }
 
 MeasuredSpectra& part_of(Observation& observation, Part part) { return part == Part::fitted ? observation.fitted : part == Part::held_out ? observation.held_out : observation.all; }
+
+/// The trial that is fitted where the fit is when its recordings pull like that, by one step.
+Trial moved_against(const Fit& fit, const Eigen::VectorXd& gradient) {
+    const Eigen::VectorXd step = fit.covariance * gradient;
+    std::vector<double> values = fit.values;
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = std::clamp(values[i] - step(static_cast<long>(i)), fit.unknowns[i].low, fit.unknowns[i].high);
+    Trial moved = fit.trial;
+    set_values(moved, fit.unknowns, values);
+    return moved;
+}
 
 }  // namespace
 
@@ -82,20 +93,19 @@ std::vector<Observation> with_constant_friction(const Trial& trial, const Likeli
 double power_of_constant(const Fit& fit, const LikelihoodContext& context, const std::vector<PredictionDerivative>& with_power) {
     Fit there = fit;
     if (!there.derivatives) there.derivatives = std::make_shared<Derivatives>(Derivatives{.names = {}, .values = derivatives_of(fit, context), .at = {}});
-    LikelihoodContext own = context;
-    const auto observe_gradient = [&](const std::vector<Observation>& observations) {
-        own.observations = &observations;
+    const auto read = [&](const Trial& constant) {
+        const std::vector<Observation> drawn = with_constant_friction(constant, context);
+        LikelihoodContext own = context;
+        own.observations = &drawn;
         there.gradient = likelihood_slope(fit.trial, fit.unknowns, fit.predictions, there.derivatives->values, own).gradient;
+        return 1.0 + promises_of(there, {{power_of_friction()}}, own, [&](std::size_t) { return with_power; }).front().values(0);
     };
-    observe_gradient(with_constant_friction(fit.trial, context));
-    const Eigen::VectorXd step = fit.covariance * there.gradient;
-    std::vector<double> values = fit.values;
-    for (std::size_t i = 0; i < values.size(); ++i) values[i] = std::clamp(values[i] - step(static_cast<long>(i)), fit.unknowns[i].low, fit.unknowns[i].high);
-    Trial constant = fit.trial;
-    set_values(constant, fit.unknowns, values);
-    const std::vector<Observation> drawn = with_constant_friction(constant, context);
-    observe_gradient(drawn);
-    return 1.0 + promises_of(there, {{power_of_friction()}}, own, [&](std::size_t) { return with_power; }).front().values(0);
+    const double at_fit = read(fit.trial);
+    try {
+        return read(moved_against(fit, there.gradient));
+    } catch (const parameters::ParameterError&) {
+        return at_fit;  // one step leads where nothing can run
+    }
 }
 
 }  // namespace railpem::diagnosis

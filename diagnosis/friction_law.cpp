@@ -41,7 +41,7 @@ std::optional<FrictionLaw> friction_law(const Fit& fit, const LikelihoodContext&
     const std::vector<PredictionDerivative> derivatives = derivatives_with_power(fit, context);
     if (derivatives.empty()) return std::nullopt;
     FrictionLaw law = law_with(fit, context, derivatives);
-    law.expected = power_of_constant(fit, context, derivatives);
+    if (const double expected = power_of_constant(fit, context, derivatives); expected > 0.0) law.expected = expected;  // else the fit bends so far that nothing is expected of it
     return law;
 }
 
