@@ -93,19 +93,17 @@ std::vector<Observation> with_constant_friction(const Trial& trial, const Likeli
 double power_of_constant(const Fit& fit, const LikelihoodContext& context, const std::vector<PredictionDerivative>& with_power) {
     Fit there = fit;
     if (!there.derivatives) there.derivatives = std::make_shared<Derivatives>(Derivatives{.names = {}, .values = derivatives_of(fit, context), .at = {}});
-    const auto read = [&](const Trial& constant) {
-        const std::vector<Observation> drawn = with_constant_friction(constant, context);
-        LikelihoodContext own = context;
-        own.observations = &drawn;
-        there.gradient = likelihood_slope(fit.trial, fit.unknowns, fit.predictions, there.derivatives->values, own).gradient;
-        return 1.0 + promises_of(there, {{power_of_friction()}}, own, [&](std::size_t) { return with_power; }).front().values(0);
-    };
-    const double at_fit = read(fit.trial);
+    std::vector<Observation> drawn = with_constant_friction(fit.trial, context);
+    LikelihoodContext own = context;
+    own.observations = &drawn;
+    const auto pull = [&] { return likelihood_slope(fit.trial, fit.unknowns, fit.predictions, there.derivatives->values, own).gradient; };
+    there.gradient = pull();
     try {
-        return read(moved_against(fit, there.gradient));
-    } catch (const parameters::ParameterError&) {
-        return at_fit;  // one step leads where nothing can run
+        drawn = with_constant_friction(moved_against(fit, there.gradient), context);
+        there.gradient = pull();
+    } catch (const parameters::ParameterError&) {  // one step leads where nothing can run: the fit's own case is asked
     }
+    return 1.0 + promises_of(there, {{power_of_friction()}}, own, [&](std::size_t) { return with_power; }).front().values(0);
 }
 
 }  // namespace railpem::diagnosis

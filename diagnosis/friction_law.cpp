@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "diagnosis/constant_friction.hpp"
@@ -19,14 +21,18 @@ constexpr double kStrong = 1.5, kUntold = 0.05;  // expected of a force that hol
 constexpr double kSameSpeed = 0.05;              // relative
 constexpr double kAgainst = 3.0, kWithin = 2.0;  // deviations
 
-double speed_of(const LikelihoodContext& context, const PredictionDerivative& derivative) { return (*context.observations)[static_cast<std::size_t>(derivative.observation)].speed_m_per_s; }
+bool are_at_one_speed(const LikelihoodContext& context, const std::vector<PredictionDerivative>& derivatives) {
+    double slowest = std::numeric_limits<double>::infinity(), fastest = 0.0;
+    for (const PredictionDerivative& own : derivatives) {
+        const double speed = (*context.observations)[static_cast<std::size_t>(own.observation)].speed_m_per_s;
+        slowest = std::min(slowest, speed), fastest = std::max(fastest, speed);
+    }
+    return fastest < (1.0 + kSameSpeed) * slowest;
+}
 
 FrictionLaw law_with(const Fit& fit, const LikelihoodContext& context, const std::vector<PredictionDerivative>& derivatives) {
     const FreedomPromise promise = promises_of(fit, {{power_of_friction()}}, context, [&](std::size_t) { return derivatives; }).front();
-    FrictionLaw law{.power = 1.0 + promise.values(0), .deviation = std::sqrt(promise.covariance(0, 0)), .at_one_speed = true};
-    for (const PredictionDerivative& own : derivatives)
-        law.at_one_speed = law.at_one_speed && std::abs(speed_of(context, own) - speed_of(context, derivatives.front())) < kSameSpeed * speed_of(context, derivatives.front());
-    return law;
+    return {.power = 1.0 + promise.values(0), .deviation = std::sqrt(promise.covariance(0, 0)), .at_one_speed = are_at_one_speed(context, derivatives)};
 }
 
 }  // namespace

@@ -66,7 +66,6 @@ void follow_damping(const pem::CaseParameters& parameters, const SolvedLines& so
         const Eigen::VectorXcd damping = Eigen::Map<const Eigen::VectorXd>(stage.damping.data(), n).cast<std::complex<double>>();
         for (std::size_t line = 0; line < solved.lines; ++line) {
             const double frequency = solved.from_hz + static_cast<double>(line) * solved.step_hz;
-            if (of_stage(realised, stage.law).damping.empty()) continue;
             const std::complex<double> beyond = of_stage(realised, stage.law).damping.at(2.0 * std::numbers::pi * frequency);
             const Eigen::Map<const RowMatrix> velocity(elements.by_wheel.data() + line * elements.elements * 4, n, 4), felt(inner.at(line), size, n);
             Eigen::Map<RowMatrix> transfer(transfers.values.data() + line * channels.size() * 4, size, 4);

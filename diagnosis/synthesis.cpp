@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <random>
 
 #include "diagnosis/channel_scales.hpp"
 #include "parameters/parameter_error.hpp"
 #include "pem/solution.hpp"
 #include "recordings/averages.hpp"
+#include "spectra/complex_normal.hpp"
 
 namespace railpem::diagnosis {
 
@@ -27,23 +27,6 @@ MeasuredSpectra empty_part(double seconds, const ObservationOptions& options, st
         throw parameters::ParameterError("window_s", "a part of the record is shorter than one window", "a shorter window or a longer record");
     return {.values = {}, .log_determinant = std::vector<double>(bins, 0.0), .averages = recordings::averages_per_bin(own), .seconds = seconds};
 }
-
-/// Standard complex Gaussian numbers, E|z|² = 1 (Box & Muller 1958; the same on every machine).
-class ComplexNormal {
-  public:
-    explicit ComplexNormal(std::initializer_list<std::uint32_t> words) {
-        std::seed_seq seed(words);
-        random_.seed(seed);
-    }
-    std::complex<double> operator()() {
-        const double radius = std::sqrt(-std::log1p(-unit()));
-        return std::polar(radius, 2.0 * std::numbers::pi * unit());
-    }
-
-  private:
-    double unit() { return static_cast<double>(random_() >> 11) * 0x1.0p-53; }
-    std::mt19937_64 random_;
-};
 
 /// The expectation of a bin, taken apart.
 struct BinExpectation {
@@ -66,7 +49,7 @@ Eigen::MatrixXcd factor_of(const BinExpectation& bin, double averages, double st
 }
 
 /// Draws all bins of a part about their expectations.
-void draw(const std::vector<BinExpectation>& expectations, ComplexNormal& normal, MeasuredSpectra& part) {
+void draw(const std::vector<BinExpectation>& expectations, spectra::ComplexNormal& normal, MeasuredSpectra& part) {
     const long freedom = std::max(1L, std::lround(part.averages)), size = expectations.front().excited.rows();
     part.averages = static_cast<double>(freedom);
     part.values.clear();
@@ -124,7 +107,7 @@ Observation synthesise(const Observation& shape, std::size_t index, const Trial&
         expectations.back().excited.diagonal() -= noise.cast<std::complex<double>>();
     }
     Observation drawn = shape;
-    ComplexNormal normal({static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32), static_cast<std::uint32_t>(index)});
+    spectra::ComplexNormal normal({static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32), static_cast<std::uint32_t>(index)});
     draw(expectations, normal, drawn.fitted);
     draw(expectations, normal, drawn.held_out);
     drawn.all = mean_of(drawn.fitted, drawn.held_out, shape.channels.size());

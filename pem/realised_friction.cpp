@@ -5,8 +5,9 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <random>
 #include <unsupported/Eigen/FFT>
+
+#include "spectra/complex_normal.hpp"
 
 namespace railpem::pem {
 
@@ -61,14 +62,13 @@ Period period_of(const VelocitySpectra& velocity, const ElementTransfers& transf
 }
 
 /// A draw of the velocities that the track excites in the linearised model.
-Spectra drawn(const Period& period, double step_hz, std::size_t n, std::mt19937_64& random) {
-    std::normal_distribution<double> normal;
-    const double scale = 0.5 * std::sqrt(step_hz) * static_cast<double>(period.length);
+Spectra drawn(const Period& period, double step_hz, std::size_t n, spectra::ComplexNormal& normal) {
+    const double scale = std::sqrt(0.5 * step_hz) * static_cast<double>(period.length);
     Spectra result(n, std::vector<Complex>(period.half));
     Eigen::VectorXcd z(n);
     for (std::size_t k = 0; k < period.half; ++k) {
         if (period.excite[k].size() == 0) continue;
-        for (Complex& own : z) own.real(scale * normal(random)), own.imag(scale * normal(random));
+        for (Complex& own : z) own = scale * normal();
         const Eigen::VectorXcd velocity = period.excite[k] * z;
         for (std::size_t i = 0; i < n; ++i) result[i][k] = velocity(static_cast<long>(i));
     }
@@ -194,10 +194,10 @@ RealisedFriction realised_friction(const VelocitySpectra& velocity, const Elemen
     const Period period = period_of(velocity, transfers, damping);
     Eigen::FFT<double> transform;
     transform.SetFlag(Eigen::FFT<double>::HalfSpectrum);
-    std::mt19937_64 random(options.seed);
+    spectra::ComplexNormal normal({options.seed});
     Sums sums(period.half);
     for (int r = 0; r < options.realisations; ++r) {
-        const Spectra excited = drawn(period, velocity.step_hz, velocity.elements, random);
+        const Spectra excited = drawn(period, velocity.step_hz, velocity.elements, normal);
         add(period, realise(period, excited, damping, force_n, options, transform), excited, damping, transform, sums);
     }
     const double length = static_cast<double>(period.length);

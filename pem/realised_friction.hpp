@@ -1,6 +1,7 @@
 #pragma once
 // Dry friction as it is where velocities are not Gaussian: realised in time, without linearising it.
 
+#include <cstdint>
 #include <vector>
 
 #include "lanes/factor_curve.hpp"
@@ -21,7 +22,7 @@ struct RealisationOptions {
     int realisations = 100;
     int most_iterations = 400;
     double settled = 3e-3;  ///< of rms velocities
-    unsigned long long seed = 1;
+    std::uint32_t seed = 1;
 };
 
 /// Periodic realisations of a Gaussian excitation, in which the forces F·sgn(v) and the linear rest of vehicle and track are brought to agree, sticking included, by Douglas–Rachford splitting (Lions &
