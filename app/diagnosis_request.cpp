@@ -127,6 +127,7 @@ diagnosis::Diagnosis run_diagnosis(const CaseFile& file, const DiagnosisRequest&
     diagnosis::DiagnoseOptions options{.threads = request.threads};
     options.naming.most_effects = request.most_effects;
     options.naming.without = request.without;
+    options.naming.effort_s = request.effort_s;
     options.progress = [&](const std::string&, double share) { observer.progress(share); };
     options.interrupted = observer.interrupted;
     diagnosis::Diagnosis result = diagnosis::diagnose(believed, loaded.observations, options);
@@ -157,6 +158,7 @@ std::string command_of(const DiagnosisRequest& request, const std::string& folde
     if (request.window_s != usual.window_s) text += fmt::format(" --window {:g}", request.window_s);
     if (request.held_out != usual.held_out) text += fmt::format(" --held-out {:g}", request.held_out);
     if (request.most_effects != usual.most_effects) text += fmt::format(" --most-effects {}", request.most_effects);
+    if (request.effort_s != usual.effort_s) text += fmt::format(" --effort {:g}", request.effort_s);
     for (const std::string& effect : request.without) text += " --without " + effect;
     return text + " --out " + folder;
 }

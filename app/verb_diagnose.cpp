@@ -54,6 +54,10 @@ void add_diagnose(CLI::App& program, Run& run) {
         ->check(CLI::Range(0.1, 0.5))
         ->type_name("SHARE");
     verb->add_option("--most-effects", request->diagnosis.most_effects, "most effects named together; 3 without it")->check(CLI::Range(1, 4))->type_name("N");
+    verb->add_option("--effort", request->diagnosis.effort_s,
+                     "s of one core as the program counts them, for three recordings of a minute, after which nothing further is looked for; 75 without it. More may name what takes long to find")
+        ->check(CLI::Range(10.0, 1e6))
+        ->type_name("S");
     verb->add_option("--without", request->diagnosis.without, "an effect that the catalogue shall not have: what would be said if nobody knew of it")
         ->type_name("EFFECT")
         ->allow_extra_args(false);

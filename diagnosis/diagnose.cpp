@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "diagnosis/effort.hpp"
 #include "diagnosis/from_afar.hpp"
 #include "diagnosis/ground_resonance.hpp"
 #include "diagnosis/hold_again.hpp"
@@ -27,7 +28,7 @@ class Diagnosing {
   public:
     Diagnosing(const BelievedCase& believed, const std::vector<Observation>& observations, const DiagnoseOptions& options)
         : believed_(believed), observations_(observations), left_out_(leave_out_unloaded(observations_)), coarse_(coarse_observations(observations_)), options_(options),
-          context_{.believed = &believed_, .observations = &observations_, .coarse = &coarse_, .part = Part::fitted, .least_floor = 0.0, .threads = options.threads} {}
+          context_{.believed = &believed_, .observations = &observations_, .coarse = &coarse_, .part = Part::fitted, .least_floor = 0.0, .threads = options.threads, .effort = &effort_} {}
 
     Diagnosis run() {
         const auto begin = std::chrono::steady_clock::now();
@@ -88,8 +89,8 @@ class Diagnosing {
             study_.at_named = evidence(naming_.left_by_best.empty() ? locate(naming_.sets.front().fit, context_) : naming_.left_by_best);
         if (leaves_much()) {
             const auto between = [this](const std::string& what) { say(what, 0.85); };
-            if (naming_.blunt_corrections.empty()) naming_.blunt_corrections = blunt_corrections(believed_, context_, between);
-            study_.anonymous = sharpened_corrections(believed_, naming_.blunt_corrections, context_, between);
+            if (naming_.blunt_corrections.sets.empty()) naming_.blunt_corrections = blunt_corrections(believed_, context_, between);
+            study_.anonymous = sharpened_corrections(believed_, naming_.blunt_corrections, context_, between, [this] { return effort_.seconds() > effort_allowed(observations_, options_.naming.effort_s); });
             if (!naming_.sets.empty() && leans(naming_.sets.front(), naming_.retuned.score()))
                 if (std::optional<FittedSet> beyond = fit_beyond_range(believed_, naming_.sets.front(), context_, {})) study_.anonymous.push_back(std::move(*beyond));
             return;
@@ -148,6 +149,7 @@ class Diagnosing {
     std::vector<std::string> left_out_;  ///< recordings, and why
     std::vector<Observation> coarse_;
     const DiagnoseOptions& options_;
+    Effort effort_;
     LikelihoodContext context_;
     const FitOptions near_{.from_far = false};
     NamingResult naming_;

@@ -15,9 +15,9 @@ namespace railpem::diagnosis {
 namespace {
 
 // docs/theory/diagnosis.md
-constexpr double kConstant = 1.04;               // a constant force has 0.77 to 1.0, one that holds 1.4 to 2 times as much at rest 1.06 to 1.15
+constexpr double kConstant = 1.04;               // a constant force has 0.75 to 0.99, one that holds 1.4 to 2 times as much at rest 1.05 to 1.15
 constexpr double kRealised = 0.01;               // scatter of what is expected with the seed of its realisations
-constexpr double kStrong = 1.5, kUntold = 0.05;  // expected of a force that holds its stage for most of the time: one of twice as much at rest had 1.03 there; at one speed one of 1.4 times as much had 1.00
+constexpr double kStrong = 1.5, kUntold = 0.05;  // expected of a force that holds its stage for most of the time: one of twice as much at rest had 1.03 to 1.12 there; at one speed one of 1.4 times as much had 1.00
 constexpr double kSameSpeed = 0.05;              // relative
 constexpr double kAgainst = 3.0, kWithin = 2.0;  // deviations
 

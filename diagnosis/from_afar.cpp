@@ -19,7 +19,8 @@ constexpr std::size_t kEvery = 3;           ///< of the bins, in which starts ar
 constexpr int kBluntIterations = 2;
 constexpr int kFurtherBluntIterations = 6;  ///< of an effect's best start, and of the case without it
 constexpr std::size_t kBluntCorrections = 3;  ///< places whose free correction is fitted bluntly
-constexpr std::size_t kSharpCorrections = 2;  ///< and sharpened
+constexpr std::size_t kSharpCorrections = 2;  ///< and sharpened,
+constexpr double kNearBest = 0.5;             ///< of what the best brings bluntly, the second has to bring
 constexpr int kStepsOfAStage = 5;           ///< of sharpening
 
 constexpr double kNearEnd = 0.2;
@@ -157,7 +158,7 @@ std::vector<std::vector<Candidate>> variants_from_afar(const std::vector<Candida
 }
 
 std::vector<FittedSet> blunt_from_afar(const BelievedCase& believed, const Fit& near, const std::vector<Candidate>& members, const std::vector<std::vector<Candidate>>& variants,
-                                       const LikelihoodContext& context, const std::function<void(const Candidate&)>& between) {
+                                       const LikelihoodContext& context, const std::function<void(const Candidate&)>& between, const std::function<bool()>& enough) {
     if (variants.empty()) return {};
     const LikelihoodContext blunt = blunted(context, kBluntFloor);
     const Fit without = fit_set(believed, near, members, {}, {}, blunt, {.iterations = kFurtherBluntIterations, .from_far = false}).fit;
@@ -165,20 +166,22 @@ std::vector<FittedSet> blunt_from_afar(const BelievedCase& believed, const Fit& 
     LikelihoodContext sparse = blunt;
     sparse.every = kEvery;
     std::vector<std::vector<Start>> starts;
-    for (const std::vector<Candidate>& own : variants) starts.push_back(approached(believed, without, members, own, sparse, between));
+    for (const std::vector<Candidate>& own : variants)
+        if (!enough()) starts.push_back(approached(believed, without, members, own, sparse, between));
     const auto height = [](const std::vector<Start>& own) { return own.front().near.log_posterior; };
     std::stable_sort(starts.begin(), starts.end(), [&](const auto& a, const auto& b) { return height(a) > height(b); });
     std::vector<FittedSet> sets;
     sets.reserve(starts.size());  // the rival is one of them
     const Fit* rival = nullptr;
     for (const std::vector<Start>& own : starts) {
+        if (enough()) break;
         sets.push_back(climbed(believed, own, rival, blunt, between));
         if (!rival || sets.back().fit.log_posterior > rival->log_posterior) rival = &sets.back().fit;
     }
     return sets;
 }
 
-std::vector<FittedSet> blunt_corrections(const BelievedCase& believed, const LikelihoodContext& context, const std::function<void(const std::string&)>& between) {
+BluntCorrections blunt_corrections(const BelievedCase& believed, const LikelihoodContext& context, const std::function<void(const std::string&)>& between) {
     const LikelihoodContext blunt = blunted(context, kBluntFloor);
     FitOptions options{.iterations = kFurtherBluntIterations, .from_far = false};
     const FittedSet retuned = fit_set(believed, Fit{}, {}, {}, {}, blunt, options);
@@ -192,14 +195,18 @@ std::vector<FittedSet> blunt_corrections(const BelievedCase& believed, const Lik
         sets.push_back(fit_correction(believed, retuned, located[i], blunt, options));
     }
     std::stable_sort(sets.begin(), sets.end(), [](const FittedSet& a, const FittedSet& b) { return a.score() > b.score(); });
-    return sets;
+    return {std::move(sets), retuned.score()};
 }
 
-std::vector<FittedSet> sharpened_corrections(const BelievedCase& believed, std::vector<FittedSet> sets, const LikelihoodContext& context, const std::function<void(const std::string&)>& between) {
-    if (sets.size() > kSharpCorrections) sets.erase(sets.begin() + static_cast<long>(kSharpCorrections), sets.end());
-    for (FittedSet& set : sets) {
-        const auto step = [&] { between("free correction of the " + element_name(set.anonymous.front().element) + ", sharpened"); };
-        set = sharpened(believed, half_sharpened(believed, set, context, step), context, step);
+std::vector<FittedSet> sharpened_corrections(const BelievedCase& believed, const BluntCorrections& blunt, const LikelihoodContext& context, const std::function<void(const std::string&)>& between,
+                                             const std::function<bool()>& enough) {
+    std::vector<FittedSet> sets;
+    sets.reserve(kSharpCorrections);  // the rival is one of them
+    for (const FittedSet& own : blunt.sets) {
+        const bool is_near = own.score() - blunt.nothing >= kNearBest * (blunt.sets.front().score() - blunt.nothing);
+        if (sets.size() == kSharpCorrections || !is_near || (!sets.empty() && enough())) break;
+        const auto step = [&] { between("free correction of the " + element_name(own.anonymous.front().element) + ", sharpened"); };
+        sets.push_back(sharpened(believed, half_sharpened(believed, own, context, step), context, step, sets.empty() ? nullptr : &sets.front().fit));
     }
     return sets;
 }

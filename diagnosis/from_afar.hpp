@@ -16,17 +16,25 @@ std::vector<std::vector<Candidate>> variants_from_afar(const std::vector<Candida
 /// Without any of them the case is fitted first, from `near` (nothing: from the believed numbers, and members where their instances stand). Starts are typical values, either ends of the ranges, and the
 /// frequencies of the variants, typical and strong; each is approached by the derivatives of the case without it, and the best two climbed: with the numbers as believed a mass of 24 kg/m tuned to 49 Hz ranked behind
 /// others at 79 to 127 Hz, and was lost. What cannot come near the best so far is given up. None where physics forbids the members as they stand.
-/// `between` is called between steps with what is being fitted, and may throw to stop.
+/// `between` is called between steps with what is being fitted, and may throw to stop. Where `enough` says so, what is not fitted yet is left out.
 std::vector<FittedSet> blunt_from_afar(const BelievedCase& believed, const Fit& near, const std::vector<Candidate>& members, const std::vector<std::vector<Candidate>>& variants,
-                                       const LikelihoodContext& context, const std::function<void(const Candidate&)>& between);
+                                       const LikelihoodContext& context, const std::function<void(const Candidate&)>& between,
+                                       const std::function<bool()>& enough = [] { return false; });
+
+/// Free corrections as the blunt likelihood has them, best first, and the score of the case without.
+struct BluntCorrections {
+    std::vector<FittedSet> sets;
+    double nothing = 0.0;
+};
 
 /// Free corrections of the places where the blunt likelihood finds most, fitted with it near the believed numbers, best first: where retuning leaves much, its numbers are so
 /// far off that no step from there leads to what a place would have to be (a linkage of the bogies, with two nodes an octave: nothing was left from here, 24 thousand nats from there). `between` as above, with what
 /// is being done.
-std::vector<FittedSet> blunt_corrections(const BelievedCase& believed, const LikelihoodContext& context, const std::function<void(const std::string&)>& between);
+BluntCorrections blunt_corrections(const BelievedCase& believed, const LikelihoodContext& context, const std::function<void(const std::string&)>& between);
 
-/// The best two of them, sharpened.
-std::vector<FittedSet> sharpened_corrections(const BelievedCase& believed, std::vector<FittedSet> sets, const LikelihoodContext& context, const std::function<void(const std::string&)>& between);
+/// The best two of them, sharpened. The second only where it brings at least half as much bluntly and not `enough` is done; it is given up where it cannot come near the first.
+std::vector<FittedSet> sharpened_corrections(const BelievedCase& believed, const BluntCorrections& blunt, const LikelihoodContext& context, const std::function<void(const std::string&)>& between,
+                                             const std::function<bool()>& enough = [] { return false; });
 
 /// The floor at which it shows whether a set that was fitted with the blunt likelihood is worth sharpening.
 constexpr double kHalfSharpFloor = 0.04;

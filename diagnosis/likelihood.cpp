@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "diagnosis/channel_scales.hpp"
+#include "diagnosis/effort.hpp"
 #include "diagnosis/predict_scalars.hpp"
 #include "diagnosis/scalar_likelihood.hpp"
 #include "diagnosis/whitened_bin.hpp"
@@ -159,6 +160,7 @@ ExpectedSpectra predict_one(const Trial& trial, const LikelihoodContext& context
                             ExpectationCache* filled) {
     const Observation& observation = (*context.observations)[o];
     const pem::CaseParameters parameters = case_of(trial, *context.believed, observation);
+    if (context.effort) context.effort->add(effort_of_prediction(parameters, observation.scalar ? observation.scalar->values.size() : observation.bins(), reuse));
     if (!observation.scalar) {
         ExpectedSpectra spectra = expected_spectra(parameters, trial.speed_m_per_s[o], observation.kernel, observation.channels, {},
                                                    observation.expectation, known, reuse, filled);
@@ -192,6 +194,13 @@ Predictions predict(const Trial& trial, const LikelihoodContext& context) {
 
 namespace {
 
+/// Of one likelihood, for the count.
+void count_likelihood(const LikelihoodContext& context, std::size_t unknowns) {
+    if (!context.effort) return;
+    for (const Observation& own : *context.observations)
+        if (!own.scalar) context.effort->add(effort_of_likelihood(own.bins() / context.every, unknowns));
+}
+
 double sum_of(const std::vector<double>& parts) {
     double sum = 0.0;
     for (const double own : parts) sum += own;
@@ -201,6 +210,7 @@ double sum_of(const std::vector<double>& parts) {
 }  // namespace
 
 double log_likelihood(const Trial& trial, const Predictions& predictions, const LikelihoodContext& context) {
+    count_likelihood(context, 0);
     const std::vector<Observation>& observations = *context.observations;
     const std::vector<Chunk> chunks = chunks_of(observations);
     std::vector<double> sums(chunks.size(), 0.0);
@@ -219,6 +229,7 @@ double log_likelihood(const Trial& trial, const Predictions& predictions, const 
 }
 
 BinPowers bin_powers(const Trial& trial, const Predictions& predictions, const LikelihoodContext& context) {
+    count_likelihood(context, 0);
     const std::vector<Observation>& observations = *context.observations;
     BinPowers powers;
     for (const Observation& observation : observations) powers.at.emplace_back(observation.scalar ? 0 : observation.bins());
@@ -243,6 +254,7 @@ namespace {
 
 std::vector<LikelihoodSlope> chunk_slopes(const std::vector<Chunk>& chunks, const Trial& trial, const std::vector<Unknown>& unknowns, const Predictions& predictions,
                                           const std::vector<PredictionDerivative>& derivatives, const LikelihoodContext& context) {
+    count_likelihood(context, unknowns.size());
     std::vector<LikelihoodSlope> parts(chunks.size());
 #pragma omp parallel for schedule(dynamic, 1) num_threads(thread_count(context))
     for (std::size_t i = 0; i < chunks.size(); ++i) parts[i] = chunk_slope(chunks[i], trial, unknowns, predictions, derivatives, context);

@@ -48,6 +48,8 @@ struct BinPowers {
     double log_likelihood = 0.0;
 };
 
+class Effort;
+
 /// Everything that a likelihood is asked about.
 struct LikelihoodContext {
     const BelievedCase* believed = nullptr;
@@ -58,6 +60,7 @@ struct LikelihoodContext {
     int threads = 0;
     const BinPowers* powers = nullptr;  ///< of another trial, whose counts of processes hold; none: every trial's own
     std::size_t every = 1;     ///< of the bins of time series: one in so many speaks, for all of them
+    Effort* effort = nullptr;  ///< counts what is computed; none: nobody asks
 };
 
 /// The likelihood on the coarse observations, blunted by a relative floor.

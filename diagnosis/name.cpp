@@ -11,7 +11,7 @@
 #include "diagnosis/channel_delays.hpp"
 #include "diagnosis/channel_resonances.hpp"
 #include "diagnosis/comb_distances.hpp"
-#include "diagnosis/from_afar.hpp"
+#include "diagnosis/effort.hpp"
 #include "diagnosis/hold_out_recordings.hpp"
 #include "diagnosis/model_error.hpp"
 #include "diagnosis/set_trials.hpp"
@@ -26,12 +26,15 @@ constexpr double kBluntSearch = 0.1;   ///< relative floor
 constexpr double kHalfSharpMiss = 0.05; ///< of what retuning misses, a single that is there may leave when half sharp: axles that bend left nothing, failed fasteners and friction of 1 kN in their own place 0.6 and 2.6 %, fasteners in the place of ballast and of two other effects 7 and 11 %
 constexpr double kOutdone = 0.1;       ///< of what an unknown explains bluntly: the best names had 1 % of a linkage of the bogies, a single of the two effects of the paper 48 %
 constexpr double kMinor = 0.05;        ///< share of what a single explains: for what is left of that order nothing else is sought in its place. Two may stand in for one (pads that stiffen and a mass on the rail for ballast)
+// Shares of the effort, from which on no search begins that would not end: further climbs from afar and pairs with the blunt likelihood, starts from afar beside a single, the search from afar with the sharp likelihood, third members.
+constexpr double kBluntFromAfar = 0.65, kBluntPairs = 0.75, kBesideSingle = 0.45, kSharpFromAfar = 0.7, kThirdMember = 0.8;
 constexpr std::size_t kSharpened = 3;  ///< of the effects fitted from afar: those that the blunt likelihood prefers, until nothing is left
 
 class Search {
   public:
-    Search(const BelievedCase& believed, const LikelihoodContext& context, const NamingOptions& options, NamingResult& result)
-        : believed_(believed), context_(context), options_(options), result_(result), trials_(believed, context, options, result) {}
+    Search(const BelievedCase& believed, const LikelihoodContext& context, const NamingOptions& options, NamingResult& result, bool& ended_early)
+        : believed_(believed), context_(context), options_(options), result_(result), trials_(believed, context, options, result),
+          allowed_s_(effort_allowed(*context.observations, options.effort_s)), ended_early_(ended_early) {}
 
     void run() {
         try {
@@ -64,10 +67,11 @@ class Search {
             if (leaves_little()) return;
             if (trials_.leading().members() == 1 && left_over() < kMinor * (trials_.leading().score() - result_.retuned.score())) return;
         }
+        if (is_spent(kSharpFromAfar)) return static_cast<void>(left_over());
         const double before = trials_.leading().score();
         rescue_round();
         if (trials_.leading().score() > before + options_.least_gain) further_rounds(2);
-        if (const FittedSet* single = trials_.best(1); is_doubtful(trials_.leading()) && single != nullptr && !single->effects.empty()) {
+        if (const FittedSet* single = trials_.best(1); !is_spent(kSharpFromAfar) && is_doubtful(trials_.leading()) && single != nullptr && !single->effects.empty()) {
             rescue_round(single);
             further_rounds(3);
         }
@@ -78,7 +82,7 @@ class Search {
     /// grows again.
     void further_rounds(int from) {
         for (int members = from; members <= options_.most_effects; ++members)
-            if (!further_round(members)) break;
+            if (is_spent(members > 2 ? kThirdMember : 1.0) || !further_round(members)) break;
         if (const std::size_t left = trials_.prune(); left > 0) further_rounds(static_cast<int>(left) + 1);
     }
 
@@ -92,7 +96,7 @@ class Search {
         NamingResult found;
         NamingOptions pairs = options_;
         pairs.most_effects = std::min(2, options_.most_effects);
-        Search search(believed_, blunt, pairs, found);
+        Search search(believed_, blunt, pairs, found, ended_early_);
         search.trials_.retune();
         found.candidates = candidates(believed_, found.retuned.fit.trial, *blunt.observations).candidates;
         found.first_promises = search.screened(found.retuned.fit);
@@ -105,7 +109,7 @@ class Search {
             if (trials_.names() && leaves_little()) return grow_leading();
         }
         if (search.misses()) search.rescue_round();  // before anything is added to what stands in for it
-        search.further_rounds(2);
+        if (!is_spent(kBluntPairs)) search.further_rounds(2);
         blunt_from_afar_ = std::move(search.blunt_from_afar_);
         const double least = std::max(single, found.retuned.score()) + options_.least_gain;
         Halved seen;  // before more is looked for: what is there leaves misfit, too, as long as it is fitted bluntly (both effects of the paper, seed 9601)
@@ -116,7 +120,7 @@ class Search {
         outdone_ = search.misses() && search.is_outdone();
         result_.blunt_corrections = std::move(found.blunt_corrections);
         if (outdone_) return;
-        search.rescue_beside();
+        if (!is_spent(kBesideSingle)) search.rescue_beside();
         const FittedSet& best = search.trials_.leading();
         if (best.score() <= least) {
             if (!put_off.effects.empty()) sharpen(put_off);
@@ -133,7 +137,7 @@ class Search {
         result_.blunt_corrections = blunt_corrections(believed_, context_, [this](const std::string& what) { say(what, 0.5); });
         const double nothing = result_.retuned.score();
         double most = 0.0;
-        for (const FittedSet& own : result_.blunt_corrections)
+        for (const FittedSet& own : result_.blunt_corrections.sets)
             if (own.anonymous.front().element != Element::sensor) most = std::max(most, own.score() - nothing);
         return trials_.leading().score() - nothing < kOutdone * most;
     }
@@ -232,7 +236,7 @@ class Search {
         for (std::size_t i = 0; i < std::min(kSharpened, blunt.size()); ++i) {
             const auto step = [&] { say(label_of(blunt[i].effects.back().instance) + " from afar", 0.7); };
             result_.sets.push_back(sharpened(believed_, half_sharpened(believed_, blunt[i], context_, step), context_, step, contested ? &rival : nullptr));
-            if (leaves_little()) break;
+            if (leaves_little() || is_spent()) break;
         }
     }
 
@@ -247,7 +251,7 @@ class Search {
         // Of another floor and other windows neither values nor derivatives are a start.
         const Fit believed;
         const Fit& near = !trials_.is_blunt() ? believed : beside ? beside->fit : result_.retuned.fit;
-        std::vector<FittedSet> blunt = blunt_from_afar(believed_, near, members, variants, context_, between);
+        std::vector<FittedSet> blunt = blunt_from_afar(believed_, near, members, variants, context_, between, [this] { return is_spent(trials_.is_blunt() ? kBluntFromAfar : 1.0); });
         std::move(known.begin(), known.end(), std::back_inserter(blunt));
         return blunt;
     }
@@ -301,6 +305,7 @@ class Search {
         Candidate winner;
         double highest = -1e300;
         for (const Starts& starts : chosen) {
+            if (is_spent()) break;
             const FittedSet& tried = trials_.try_starts(from.fit, starts, from.effects, from.released, share);
             if (tried.score() > highest) highest = tried.score(), winner = tried.effects.back();
         }
@@ -314,6 +319,13 @@ class Search {
         return larger && larger->score() > from.score() + options_.least_gain;
     }
 
+    /// Whether a share of the effort allowed is spent; what asks for it leaves out what it would have looked for.
+    bool is_spent(double share = 1.0) const {
+        const bool spent = context_.effort->seconds() > share * allowed_s_;
+        ended_early_ = ended_early_ || spent;
+        return spent;
+    }
+
     void say(const std::string& what, double share) const { trials_.say(what, share); }
 
     const BelievedCase& believed_;
@@ -321,6 +333,8 @@ class Search {
     const NamingOptions& options_;
     NamingResult& result_;
     SetTrials trials_;
+    double allowed_s_;    ///< effort
+    bool& ended_early_;   ///< of the whole search: something was left out for it
     bool outdone_ = false;                    ///< by an unknown of one place: is_outdone()
     std::vector<FittedSet> blunt_from_afar_;  ///< singles that the blunt search has fitted from afar
     std::map<int, double> extended_;  ///< score of the set to which a further member was sought last, by the number of members
@@ -332,7 +346,12 @@ class Search {
 NamingResult name_physics(const BelievedCase& believed, const LikelihoodContext& context, const NamingOptions& options) {
     NamingResult result;
     result.unseen_share = unseen_share(*context.observations);
-    Search(believed, context, options, result).run();
+    Effort own;
+    LikelihoodContext counted = context;
+    if (!counted.effort) counted.effort = &own;
+    bool ended_early = false;
+    Search(believed, counted, options, result, ended_early).run();
+    if (ended_early) result.not_tested.push_back({"further sets of effects", fmt::format("the search ended at the effort that it is allowed ({:.0f} s of one core as it counts; --effort)", counted.effort->seconds())});
     return result;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "diagnosis/fitted_set.hpp"
+#include "diagnosis/from_afar.hpp"
 #include "diagnosis/locate.hpp"
 #include "diagnosis/screen.hpp"
 
@@ -20,6 +21,7 @@ struct NamingOptions {
     double least_promise = 7.0; ///< nats to first order that deserve a refit
     double residual = 12.0;     ///< nats that free corrections may promise by chance; more, and the search starts again from afar
     double least_gain = 5.0;    ///< nats of log-evidence with prior that a further member must bring
+    double effort_s = 75.0;     ///< Effort after which nothing further is looked for, of three minutes of recordings with nine channels: effort_allowed()
     std::function<void(const std::string&, double)> progress;  ///< what is being done, share done
     std::function<bool()> interrupted;  ///< asked between steps; true ends the search with what is known
 };
@@ -33,7 +35,7 @@ struct NamingResult {
     std::vector<Candidate> candidates;
     std::vector<LocatedEvidence> left_by_best;     ///< what free corrections would still bring beside the best set; empty: not asked
     std::vector<LocatedEvidence> left_by_retuned;  ///< and beside the retuned case
-    std::vector<FittedSet> blunt_corrections;      ///< free corrections of the evident places as blunt_corrections() has them; empty: not asked
+    BluntCorrections blunt_corrections;            ///< free corrections of the evident places; without sets: not asked
     double unseen_share = 0.0;                     ///< of what a fit gains, what is there should gain in the unseen part: its length by that of the fitted one
     bool interrupted = false;
 };

@@ -87,7 +87,13 @@ std::vector<PlaceEvidence> place_probabilities(const NamingResult& naming, const
     double sum = weight_of(decision.unknown_score, best);
     for (const FittedSet& set : naming.sets) sum += weight_of(set.score(), best);
     sum += weight_of(naming.retuned.score(), best);
+    double unknown = weight_of(decision.unknown_score, best) / sum;
     for (const FittedSet& set : naming.sets) {
+        // What would be stronger than its physics can be is another thing, and where it sits that name does not say.
+        if (is_too_strong(set)) {
+            unknown += weight_of(set.score(), best) / sum;
+            continue;
+        }
         const std::vector<Element> elements = elements_of(set, nullptr);
         const std::vector<double> shares = shares_of(set, naming);
         for (std::size_t i = 0; i < elements.size(); ++i) {
@@ -96,7 +102,6 @@ std::vector<PlaceEvidence> place_probabilities(const NamingResult& naming, const
         }
     }
     // What has no name sits where a free correction helps most.
-    const double unknown = weight_of(decision.unknown_score, best) / sum;
     double highest = -1e300, shares = 0.0;
     for (const FittedSet& set : places.anonymous) highest = std::max(highest, set.score());
     for (const FittedSet& set : places.anonymous) shares += weight_of(set.score(), highest);
@@ -104,6 +109,7 @@ std::vector<PlaceEvidence> place_probabilities(const NamingResult& naming, const
         found[set.anonymous.front().element].element = set.anonymous.front().element;
         found[set.anonymous.front().element].probability += unknown * weight_of(set.score(), highest) / shares;
     }
+    if (places.anonymous.empty() && !places.at_retuned.empty()) found[places.at_retuned.front().element].probability += unknown;
     std::vector<PlaceEvidence> ranked;
     if (!naming.sets.empty())
         for (const Element element : elements_of(naming.sets.front(), nullptr))

@@ -294,20 +294,35 @@ TEST(Decide, NamesANumberHoweverWrong) {
     EXPECT_EQ(decide(naming_of({released}), {}, thresholds).verdict, Verdict::explained);
 }
 
+/// A contact at the top of its range that would gain 10 nats, of the 30 that its approximation may leave, `beyond` times as far from Hertz's as that.
+FittedSet contact_beyond(double beyond) {
+    const EffectParameter& factor = find_effect("contact-nonlinearity")->parameters.front();
+    FittedSet strong = leaning(set_of({"contact-nonlinearity"}, {}, 1000.0, 300.0), 10.0);
+    Unknown& unknown = strong.fit.unknowns.front();
+    unknown = {.kind = UnknownKind::effect, .name = "contact-nonlinearity.factor", .low = to_coordinate(factor, factor.low), .high = to_coordinate(factor, factor.high)};
+    strong.fit.values.front() = unknown.high;
+    const double step = to_coordinate(factor, factor.nothing + beyond * (factor.high - factor.nothing)) - unknown.high;
+    strong.fit.covariance(0, 0) = step * step / (2.0 * 10.0);
+    strong.fit.gradient(0) = step / strong.fit.covariance(0, 0);
+    return strong;
+}
+
 // What an approximation leaves may drive a parameter to the end of its range, but no strength beyond its top by more than its law gets wrong: 3 x 3.5 % of the contact's nonlinearity.
 TEST(Decide, NamesNothingThatWouldBeStrongerThanItsPhysics) {
-    const EffectParameter& factor = find_effect("contact-nonlinearity")->parameters.front();
-    ASSERT_EQ(factor.inexact, 0.035);
-    for (const auto& [beyond, verdict] : {std::pair(1.2, Verdict::unexplained), std::pair(1.05, Verdict::explained)}) {
-        FittedSet strong = leaning(set_of({"contact-nonlinearity"}, {}, 1000.0, 300.0), 10.0);  // of the 30 that its approximation may leave
-        Unknown& unknown = strong.fit.unknowns.front();
-        unknown = {.kind = UnknownKind::effect, .name = "contact-nonlinearity.factor", .low = to_coordinate(factor, factor.low), .high = to_coordinate(factor, factor.high)};
-        strong.fit.values.front() = unknown.high;
-        const double step = to_coordinate(factor, factor.nothing + beyond * (factor.high - factor.nothing)) - unknown.high;
-        strong.fit.covariance(0, 0) = step * step / (2.0 * 10.0);  // a step beyond that gains 10 nats
-        strong.fit.gradient(0) = step / strong.fit.covariance(0, 0);
-        EXPECT_EQ(decide(naming_of({strong}), {}, thresholds).verdict, verdict) << beyond;
-    }
+    ASSERT_EQ(find_effect("contact-nonlinearity")->parameters.front().inexact, 0.035);
+    EXPECT_EQ(decide(naming_of({contact_beyond(1.2)}), {}, thresholds).verdict, Verdict::unexplained);
+    EXPECT_EQ(decide(naming_of({contact_beyond(1.05)}), {}, thresholds).verdict, Verdict::explained);
+}
+
+// A play of the pads was a contact five times as nonlinear as Hertz's, and its place the contact.
+TEST(Places, AreNotThoseOfWhatWouldBeStrongerThanItsPhysics) {
+    PlaceStudy study;
+    study.at_retuned = {{.element = Element::pad, .nats = 33000.0}, {.element = Element::contact, .nats = 330.0}};
+    EXPECT_EQ(place_probabilities(naming_of({contact_beyond(1.2)}), study, {}).front().element, Element::pad);
+    EXPECT_EQ(place_probabilities(naming_of({contact_beyond(1.05)}), study, {}).front().element, Element::contact);
+    study.anonymous = {set_of({}, {}, 1000.0, 300.0)};  // an unknown as probable as the name
+    study.anonymous.front().anonymous = {{.element = Element::rail, .channel = {}}};
+    EXPECT_EQ(place_probabilities(naming_of({contact_beyond(1.2)}), study, {.unknown_score = 1000.0}).front().element, Element::rail);
 }
 
 // What distorts more than steel on steel can may be anywhere between wheel and ground: it has no place for it.

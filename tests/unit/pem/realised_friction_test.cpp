@@ -122,13 +122,12 @@ Means marched(const OneDegree& own, int draws) {
 
 class RealisedFrictionOf : public testing::TestWithParam<double> {};
 
-// 200 draws of 2 s each scatter by 1 to 2 % of the power and 0.01 of the damping, either way; the strongest force, which stops the mass for most of the time, asks for shorter steps of time than the
-// realisations have (2.5 % of the power and 0.015 of the damping with 400 draws).
+// With eight seeds of 200 draws of 2 s each the power lay within 6 % of the marched one (3000 N; 2.5 % at 500 and 1500 N), and what follows within 0.036 of the damping's.
 TEST_P(RealisedFrictionOf, IsThatOfAMarchedMass) {
     const OneDegree own = one_degree(GetParam());
     const Means found = of_curves(own, realised_friction(own.velocity, own.transfers, {own.damping}, own.force, {.realisations = 200})), expected = marched(own, 200);
-    EXPECT_NEAR(found.power, expected.power, 0.05 * expected.power);
-    EXPECT_NEAR(found.followed / excited(own), expected.followed / excited(own), 0.03);
+    EXPECT_NEAR(found.power, expected.power, 0.08 * expected.power);
+    EXPECT_NEAR(found.followed / excited(own), expected.followed / excited(own), 0.05);
 }
 
 INSTANTIATE_TEST_SUITE_P(Forces, RealisedFrictionOf, testing::Values(500.0, 1500.0, 3000.0));
@@ -137,15 +136,15 @@ TEST(RealisedFriction, IsItsLinearisationWhereItIsWeak) {
     const OneDegree own = one_degree(50.0);
     ASSERT_LT(own.damping, 0.1 * kDamper);
     const Means means = of_curves(own, realised_friction(own.velocity, own.transfers, {own.damping}, own.force)), gaussian = of_curves(own, {.damping = {{1.0}, {0.0}}, .power = {{1.0}, {1.0}}});
-    EXPECT_NEAR(means.followed / excited(own), 0.0, 0.02);
-    EXPECT_NEAR(means.power, gaussian.power, 0.05 * gaussian.power);  // 2 % in three seeds
+    EXPECT_NEAR(means.followed / excited(own), 0.0, 0.05);            // -0.014 to 0.024 in eight seeds
+    EXPECT_NEAR(means.power, gaussian.power, 0.05 * gaussian.power);  // 0.998 to 1.031 in eight seeds
 }
 
 // A force that stops the mass most of the time has forces beside its damping that linearisation does not know.
 TEST(RealisedFriction, HasMorePowerWhereItIsStrong) {
     const OneDegree own = one_degree(3000.0);
     const Means means = of_curves(own, realised_friction(own.velocity, own.transfers, {own.damping}, own.force)), gaussian = of_curves(own, {.damping = {{1.0}, {0.0}}, .power = {{1.0}, {1.0}}});
-    EXPECT_GT(means.power, 1.5 * gaussian.power);
+    EXPECT_GT(means.power, 2.0 * gaussian.power);  // 2.26 to 2.45 in eight seeds, 2.33 marched
 }
 
 TEST(RealisedFriction, IsTheSameAgain) {

@@ -83,8 +83,8 @@ TEST(CorrectionsFromAfar, ALinkageOfTheBogiesEndsTheSearchForNames) {
     options.progress = [&](const std::string& what, double) { said.push_back(what); };
     const NamingResult found = name_physics(made.believed, made.context(Part::fitted, 2), options);
     EXPECT_LE(found.sets.size(), 1u) << "the best single may have been sharpened before";
-    ASSERT_FALSE(found.blunt_corrections.empty());
-    EXPECT_EQ(found.blunt_corrections.front().anonymous.front().element, Element::bogie);
+    ASSERT_FALSE(found.blunt_corrections.sets.empty());
+    EXPECT_EQ(found.blunt_corrections.sets.front().anonymous.front().element, Element::bogie);
     EXPECT_EQ(said.back().find("free correction"), 0u) << said.back();
 }
 
