@@ -1,0 +1,103 @@
+#pragma once
+// One search for a set of effects, sharp or with a blunt likelihood: what is known of it so far, and what it does next.
+
+#include <limits>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "diagnosis/effort.hpp"
+#include "diagnosis/name.hpp"
+#include "diagnosis/set_trials.hpp"
+
+namespace railpem::diagnosis {
+
+/// Fills `result`. Everything is said on the way to NamingOptions::progress, and ends with what is known when interrupted. `context` counts its effort; `ended_early` becomes true where something was left out for it.
+class Search {
+  public:
+    Search(const BelievedCase& believed, const LikelihoodContext& context, const NamingOptions& options, NamingResult& result, bool& ended_early)
+        : believed_(believed), context_(context), options_(options), result_(result), trials_(believed, context, options, result),
+          allowed_s_(effort_allowed(*context.observations, options.effort_s)), ended_early_(ended_early) {}
+
+    void run();
+
+  private:
+    void search();
+
+    /// Larger sets from the best of `from` − 1 members on. One grown member by member may hold some that a later one has made needless: without those it
+    /// grows again.
+    void further_rounds(int from);
+
+    void grow_leading() { further_rounds(static_cast<int>(trials_.leading().members()) + 1); }
+
+    /// The search for one or two effects with a blunt likelihood, in which the retuned case stays near what was believed. The best single is sharpened first: where it leaves little,
+    /// the search goes on from it, and nothing else need be asked of the blunt. Otherwise from the best set, sharpened.
+    void blunt_search();
+
+    /// Whether an unknown of one place explains so much more than the best names, bluntly, that no search will end with a name. Sensors do not count, as in is_evident_among().
+    bool is_outdone();
+
+    /// A set of the blunt search, half sharp; sharpened at once where that leaves next to nothing of what retuning misses.
+    struct Halved {
+        FittedSet set;
+        bool sharpened = false;
+    };
+    Halved look_sharper(const FittedSet& blunt, const Fit& retuned);
+    FittedSet half_sharp(const FittedSet& blunt) const;
+    void sharpen(const FittedSet& half);
+
+    /// Half sharp, what is there leaves next to nothing of what retuning misses.
+    bool is_worth_sharpening(const FittedSet& half, const Fit& retuned) const;
+
+    std::vector<Promise> screened(const Fit& fit);
+    bool is_left_out(const std::string& effect) const;
+
+    /// Numbers whose belief is worth giving up.
+    std::vector<std::string> releasable(const Fit& fit, const std::vector<std::string>& released, int most) const;
+
+    /// Whether the unseen part shows again what the best set leaves.
+    bool misses();
+
+    /// Nats that may be left beside the best set.
+    double bearable() const;
+
+    /// Nats that a free correction would still bring beside the best set.
+    double left_over();
+
+    /// Whether nothing worth a further search is left beside the best set. What the unseen part repeats of its misfit is seen at once; free corrections
+    /// are asked only where that is little.
+    bool leaves_little();
+
+    /// A strong effect distorts the retuned case so much that no first derivative finds it from there, and as little `beside` a set while it is not among its members. Effects of the evident
+    /// places, and those that follow the load, are fitted at a typical strength with a blunt likelihood first, from where that retunes the case without them.
+    void rescue_round(const FittedSet* beside = nullptr);
+
+    /// The blunt fits of a rescue round; alone, what the blunt search has fitted from afar already is not fitted again.
+    std::vector<FittedSet> fitted_from_afar(const FittedSet* beside, const std::vector<Candidate>& members, std::vector<std::vector<Candidate>> variants) const;
+
+    /// The best single leaves much, and no derivative beside it leads to what explains that: the second of two strong effects.
+    void rescue_beside();
+    void first_round();
+
+    /// Adds a member to the best smaller set, then swaps the others. False when nothing was gained.
+    bool further_round(int members);
+
+    /// Whether a share of the effort allowed is spent; what asks for it leaves out what it would have looked for.
+    bool is_spent(double share = 1.0) const;
+
+    void say(const std::string& what, double share) const { trials_.say(what, share); }
+
+    const BelievedCase& believed_;
+    const LikelihoodContext& context_;
+    const NamingOptions& options_;
+    NamingResult& result_;
+    SetTrials trials_;
+    double allowed_s_;    ///< effort
+    bool& ended_early_;   ///< of the whole search: something was left out for it
+    bool outdone_ = false;                    ///< by an unknown of one place: is_outdone()
+    std::vector<FittedSet> blunt_from_afar_;  ///< singles that the blunt search has fitted from afar
+    std::map<int, double> extended_;  ///< score of the set to which a further member was sought last, by the number of members
+    double left_beside_ = -std::numeric_limits<double>::infinity(), most_left_ = 0.0;  ///< score of the set that left_over() looked at last, and its answer
+};
+
+}  // namespace railpem::diagnosis

@@ -1,0 +1,142 @@
+// What no derivative at the retuned case leads to: a search with a blunt likelihood, and effects from afar.
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "diagnosis/from_afar.hpp"
+#include "diagnosis/locate.hpp"
+#include "diagnosis/model_error.hpp"
+#include "diagnosis/search.hpp"
+#include "diagnosis/verdict.hpp"
+
+namespace railpem::diagnosis {
+
+namespace {
+
+constexpr double kBluntSearch = 0.1;   ///< relative floor
+constexpr double kHalfSharpMiss = 0.05; ///< of what retuning misses, a single that is there may leave when half sharp: axles that bend left nothing, failed fasteners and friction of 1 kN in their own place 0.6 and 2.6 %, fasteners in the place of ballast and of two other effects 7 and 11 %
+constexpr double kOutdone = 0.1;       ///< of what an unknown explains bluntly: the best names had 1 % of a linkage of the bogies, a single of the two effects of the paper 48 %
+// Shares of the effort, from which on none of these begins that would not end: further climbs from afar and pairs with the blunt likelihood, starts from afar beside a single.
+constexpr double kBluntFromAfar = 0.65, kBluntPairs = 0.75, kBesideSingle = 0.45;
+constexpr std::size_t kSharpened = 3;  ///< of the effects fitted from afar: those that the blunt likelihood prefers, until nothing is left
+
+}  // namespace
+
+void Search::blunt_search() {
+    result_.retuned.fit.derivatives.reset();  // nothing starts from there
+    const LikelihoodContext blunt = blunted(context_, kBluntSearch);
+    NamingResult found;
+    NamingOptions pairs = options_;
+    pairs.most_effects = std::min(2, options_.most_effects);
+    Search search(believed_, blunt, pairs, found, ended_early_);
+    search.trials_.retune();
+    found.candidates = candidates(believed_, found.retuned.fit.trial, *blunt.observations).candidates;
+    found.first_promises = search.screened(found.retuned.fit);
+    search.first_round();
+    const double single = search.trials_.leading().score();
+    FittedSet put_off;  // of an approximate law that leaves more than is usual: something else may take its place
+    if (single > found.retuned.score() + options_.least_gain) {
+        Halved half = look_sharper(search.trials_.leading(), found.retuned.fit);
+        if (!half.sharpened && is_approximate(half.set)) put_off = std::move(half.set);
+        if (trials_.names() && leaves_little()) return grow_leading();
+    }
+    if (search.misses()) search.rescue_round();  // before anything is added to what stands in for it
+    if (!is_spent(kBluntPairs)) search.further_rounds(2);
+    blunt_from_afar_ = std::move(search.blunt_from_afar_);
+    const double least = std::max(single, found.retuned.score()) + options_.least_gain;
+    Halved seen;  // before more is looked for: what is there leaves misfit, too, as long as it is fitted bluntly (both effects of the paper, seed 9601)
+    if (search.misses() && search.trials_.leading().score() > least) {
+        seen = look_sharper(search.trials_.leading(), found.retuned.fit);
+        if (trials_.names() && leaves_little()) return grow_leading();
+    }
+    outdone_ = search.misses() && search.is_outdone();
+    result_.blunt_corrections = std::move(found.blunt_corrections);
+    if (outdone_) return;
+    if (!is_spent(kBesideSingle)) search.rescue_beside();
+    const FittedSet& best = search.trials_.leading();
+    if (best.score() <= least) {
+        if (!put_off.effects.empty()) sharpen(put_off);
+    } else if (!has_members(best, seen.set.effects, seen.set.released)) {
+        sharpen(half_sharp(best));
+    } else if (!seen.sharpened) {
+        sharpen(seen.set);
+    }
+    if (!result_.sets.empty()) grow_leading();
+}
+
+bool Search::is_outdone() {
+    result_.blunt_corrections = blunt_corrections(believed_, context_, [this](const std::string& what) { say(what, 0.5); });
+    const double nothing = result_.retuned.score();
+    double most = 0.0;
+    for (const FittedSet& own : result_.blunt_corrections.sets)
+        if (own.anonymous.front().element != Element::sensor) most = std::max(most, own.score() - nothing);
+    return trials_.leading().score() - nothing < kOutdone * most;
+}
+
+Search::Halved Search::look_sharper(const FittedSet& blunt, const Fit& retuned) {
+    Halved own{half_sharp(blunt)};
+    own.sharpened = is_worth_sharpening(own.set, retuned);
+    if (own.sharpened) sharpen(own.set);
+    return own;
+}
+
+FittedSet Search::half_sharp(const FittedSet& blunt) const {
+    return half_sharpened(believed_, blunt, context_, [this] { say("sharpening", 0.5); });
+}
+
+void Search::sharpen(const FittedSet& half) {
+    result_.sets.push_back(sharpened(believed_, half, context_, [this] { say("sharpening", 0.5); }));
+}
+
+bool Search::is_worth_sharpening(const FittedSet& half, const Fit& retuned) const {
+    const LikelihoodContext half_sharp = blunted(context_, kHalfSharpFloor);
+    return missed_by(half.fit, half_sharp) < kHalfSharpMiss * missed_by(retuned, half_sharp);
+}
+
+void Search::rescue_round(const FittedSet* beside) {
+    const std::vector<Candidate> members = beside ? beside->effects : std::vector<Candidate>{};
+    if (result_.left_by_retuned.empty()) result_.left_by_retuned = locate(result_.retuned.fit, context_);
+    const auto is_evident = [&](Element element) {
+        if (element == Element::support) element = Element::pad;  // rigid ground has no correction of its own
+        return is_evident_among(result_.left_by_retuned, element, options_.residual) || is_evident_among(result_.left_by_best, element, options_.residual);
+    };
+    std::vector<FittedSet> blunt = fitted_from_afar(beside, members, variants_from_afar(result_.candidates, members, is_evident));
+    if (trials_.is_blunt()) {
+        if (!beside) blunt_from_afar_ = blunt;
+        return static_cast<void>(std::move(blunt.begin(), blunt.end(), std::back_inserter(result_.sets)));
+    }
+    std::stable_sort(blunt.begin(), blunt.end(), [](const FittedSet& a, const FittedSet& b) { return a.fit.log_posterior > b.fit.log_posterior; });
+    const FittedSet* best = trials_.best(members.size() + 1);
+    const bool contested = best && std::isfinite(best->score());
+    const Fit rival = contested ? best->fit : Fit{};  // sets may move
+    for (std::size_t i = 0; i < std::min(kSharpened, blunt.size()); ++i) {
+        const auto step = [&] { say(label_of(blunt[i].effects.back().instance) + " from afar", 0.7); };
+        result_.sets.push_back(sharpened(believed_, half_sharpened(believed_, blunt[i], context_, step), context_, step, contested ? &rival : nullptr));
+        if (leaves_little() || is_spent()) break;
+    }
+}
+
+std::vector<FittedSet> Search::fitted_from_afar(const FittedSet* beside, const std::vector<Candidate>& members, std::vector<std::vector<Candidate>> variants) const {
+    const auto between = [this](const Candidate& own) { say(label_of(own.instance) + " from afar", 0.7); };
+    std::vector<FittedSet> known;
+    if (!beside) known = blunt_from_afar_;
+    std::erase_if(variants, [&](const std::vector<Candidate>& own) {
+        return std::any_of(known.begin(), known.end(), [&](const FittedSet& set) { return same_variant(set.effects.back().instance, own.front().instance); });
+    });
+    // Of another floor and other windows neither values nor derivatives are a start.
+    const Fit believed;
+    const Fit& near = !trials_.is_blunt() ? believed : beside ? beside->fit : result_.retuned.fit;
+    std::vector<FittedSet> blunt = blunt_from_afar(believed_, near, members, variants, context_, between, [this] { return is_spent(trials_.is_blunt() ? kBluntFromAfar : 1.0); });
+    std::move(known.begin(), known.end(), std::back_inserter(blunt));
+    return blunt;
+}
+
+void Search::rescue_beside() {
+    const FittedSet* single = trials_.best(1);
+    if (!misses() || single == nullptr || single->effects.empty()) return;
+    left_over();
+    rescue_round(single);
+}
+
+}  // namespace railpem::diagnosis
