@@ -21,6 +21,7 @@ namespace {
 constexpr int kAnonymousFits = 2;       ///< places whose free correction is fitted in full
 constexpr int kAnonymousIterations = 12;
 constexpr double kRest = 0.5;           ///< of what a name explains, that an unknown of its place may explain beyond it
+constexpr double kBesideUnknown = 1.6;  ///< times the effort of the search, after which nothing is tried beside an unknown any more
 constexpr double kAnonymousGain = 1.0;  ///< nats: a score that decides between names within 3 needs no more
 constexpr double kRoomForCurve = 300.0; ///< nats that a correction may stay behind the named set and still draw its curve
 
@@ -67,6 +68,9 @@ class Diagnosing {
         return result;
     }
 
+    /// Whether a multiple of the effort that the search is allowed is spent.
+    bool is_spent(double times) const { return effort_.seconds() > times * effort_allowed(observations_, options_.naming.effort_s); }
+
     void hold_again() {
         say("the contacts under the forces that were found", 0.75);
         observations_ = held_again(best_of(naming_), believed_, observations_);
@@ -90,7 +94,7 @@ class Diagnosing {
         if (leaves_much()) {
             const auto between = [this](const std::string& what) { say(what, 0.85); };
             if (naming_.blunt_corrections.sets.empty()) naming_.blunt_corrections = blunt_corrections(believed_, context_, between);
-            study_.anonymous = sharpened_corrections(believed_, naming_.blunt_corrections, context_, between, [this] { return effort_.seconds() > effort_allowed(observations_, options_.naming.effort_s); });
+            study_.anonymous = sharpened_corrections(believed_, naming_.blunt_corrections, context_, between, [this] { return is_spent(1.0); });
             if (!naming_.sets.empty() && leans(naming_.sets.front(), naming_.retuned.score()))
                 if (std::optional<FittedSet> beyond = fit_beyond_range(believed_, naming_.sets.front(), context_, {})) study_.anonymous.push_back(std::move(*beyond));
             return;
@@ -118,7 +122,7 @@ class Diagnosing {
     /// What an unknown outdoes may still stand beside it, if both together outdo the unknown alone: of a bump stop friction and a rougher track were all that could be named, and neither was there. Or if it has
     /// most of what an unknown of its own place explains: dampers of the rail to 3 kHz were, with 10 of 14 nats.
     void try_beside() {
-        if (naming_.sets.empty() || study_.anonymous.empty()) return;
+        if (naming_.sets.empty() || study_.anonymous.empty() || is_spent(kBesideUnknown)) return;
         FittedSet& best = naming_.sets.front();
         const auto lower = [](const FittedSet& a, const FittedSet& b) { return a.score() < b.score(); };
         const FittedSet& unknown = *std::max_element(study_.anonymous.begin(), study_.anonymous.end(), lower);
