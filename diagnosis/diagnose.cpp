@@ -69,7 +69,8 @@ class Diagnosing {
     }
 
     /// Whether a multiple of the effort that the search is allowed is spent.
-    bool is_spent(double times) const { return effort_.seconds() > times * effort_allowed(observations_, options_.naming.effort_s); }
+    bool is_spent(double times) const { return effort_.seconds() > times * allowed_s(); }
+    double allowed_s() const { return effort_allowed(observations_, options_.naming.effort_s); }
 
     void hold_again() {
         say("the contacts under the forces that were found", 0.75);
@@ -122,7 +123,7 @@ class Diagnosing {
     /// What an unknown outdoes may still stand beside it, if both together outdo the unknown alone: of a bump stop friction and a rougher track were all that could be named, and neither was there. Or if it has
     /// most of what an unknown of its own place explains: dampers of the rail to 3 kHz were, with 10 of 14 nats.
     void try_beside() {
-        if (naming_.sets.empty() || study_.anonymous.empty() || is_spent(kBesideUnknown)) return;
+        if (naming_.sets.empty() || study_.anonymous.empty()) return;
         FittedSet& best = naming_.sets.front();
         const auto lower = [](const FittedSet& a, const FittedSet& b) { return a.score() < b.score(); };
         const FittedSet& unknown = *std::max_element(study_.anonymous.begin(), study_.anonymous.end(), lower);
@@ -131,6 +132,7 @@ class Diagnosing {
         const std::vector<Element> own_places = elements_of(best, nullptr);
         const bool in_its_place = std::find(own_places.begin(), own_places.end(), element) != own_places.end();
         if (in_its_place && unknown.score() - best.score() < kRest * (best.score() - naming_.retuned.score())) return;
+        if (is_spent(kBesideUnknown)) return naming_.not_tested.push_back(left_out_for_effort("the named beside the unknown", effort_, allowed_s()));
         say("the named beside the unknown", 0.91);
         if (naming_.left_by_best.empty()) naming_.left_by_best = locate(best.fit, context_);
         for (const LocatedEvidence& own : naming_.left_by_best)

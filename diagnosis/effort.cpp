@@ -1,5 +1,7 @@
 #include "diagnosis/effort.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "pem/linearise.hpp"
@@ -8,7 +10,7 @@ namespace railpem::diagnosis {
 
 namespace {
 
-// Means over the predictions of five diagnoses of three recordings of a minute, s, and what a whole diagnosis takes beyond them (docs/speed.md).
+// Processor time of threads in five diagnoses of three recordings of a minute on the EPYC of docs/speed.md, a mean by kind of prediction, s; and what a whole diagnosis takes beyond them.
 constexpr double kBeyond = 1.1;
 constexpr double kFromNothing = kBeyond * 13.3e-6, kWithRail = kBeyond * 8e-6, kWithTransfers = kBeyond * 5.5e-6;  // per bin
 constexpr double kFailed = kBeyond * 8e-3, kLoaded = kBeyond * 12e-3, kNonlinear = kBeyond * 4e-3;  // beside it: seats of their own, pads that the wheels load, equivalent dampers
@@ -37,6 +39,10 @@ double effort_allowed(const std::vector<Observation>& observations, double for_t
     double bands_hz = 0.0;  // the same however long the segments are
     for (const Observation& own : observations) bands_hz += own.scalar ? 0.0 : static_cast<double>(own.bins()) * own.kernel.bin_hz();
     return for_three * std::max(1.0, bands_hz / kThree_hz);
+}
+
+NotTested left_out_for_effort(const std::string& what, const Effort& spent, double allowed_s) {
+    return {what, fmt::format("left out, the effort was at {:.0f} s when the search ended ({:.0f} s are allowed, of one core as the program counts; --effort allows more)", spent.seconds(), allowed_s)};
 }
 
 }  // namespace railpem::diagnosis

@@ -5,6 +5,9 @@
 #include <cstddef>
 #include <cstdint>
 
+#include <string>
+
+#include "diagnosis/candidates.hpp"
 #include "diagnosis/trial.hpp"
 
 namespace railpem::diagnosis {
@@ -27,5 +30,8 @@ double effort_of_likelihood(std::size_t bins, std::size_t unknowns);
 
 /// What a search may take at most, s: `for_three` where three recordings of a minute with nine channels are diagnosed, or fewer; more in proportion to their bands where there are more.
 double effort_allowed(const std::vector<Observation>& observations, double for_three);
+
+/// What was left out because so much was spent.
+NotTested left_out_for_effort(const std::string& what, const Effort& spent, double allowed_s);
 
 }  // namespace railpem::diagnosis

@@ -1,7 +1,5 @@
 #include "diagnosis/name.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -181,7 +179,7 @@ NamingResult name_physics(const BelievedCase& believed, const LikelihoodContext&
     if (!counted.effort) counted.effort = &own;
     bool ended_early = false;
     Search(believed, counted, options, result, ended_early).run();
-    if (ended_early) result.not_tested.push_back({"further sets of effects", fmt::format("the search ended at the effort that it is allowed ({:.0f} s of one core as it counts; --effort)", counted.effort->seconds())});
+    if (ended_early) result.not_tested.push_back(left_out_for_effort("further sets of effects", *counted.effort, effort_allowed(*context.observations, options.effort_s)));
     return result;
 }
 

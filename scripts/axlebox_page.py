@@ -179,7 +179,12 @@ Numbers that retuning moved beyond two tolerances, by kilometre."""
         return f"""Retuned, the generic case follows the third-octaves of what was seen within {fit['km1']['retuned']['rms_db']:.1f} dB (km1) and {fit['km2']['retuned']['rms_db']:.1f} dB (km2), with numbers that no car has.
   In km2 the unseen third bears it out: {fit['km2']['held_out_before']['rms_db']:.1f} dB believed, {fit['km2']['held_out_retuned']['rms_db']:.1f} retuned, {fit['km2']['held_out_after']['rms_db']:.1f} diagnosed. In km1 its shape does ({self.unseen_mean('km1', 'believed', 1):.1f} dB believed, {self.unseen_mean('km1', 'retuned', 1):.1f} retuned, {self.unseen_mean('km1', 'diagnosed', 1):.1f} diagnosed), its level does not.
   No set of the catalogue explains the rest; beside the verdict stand {', '.join(beside)}, which may stand in for what is missing. They show in the likelihood of the unseen third, not in its third-octaves.
-- **What km2 has more than km1, asked of the program** (believing what km1 ended in): beside {self.diagnoses['km2 after km1'][0]['verdict']} {named(self.diagnoses['km2 after km1'][0])}: waves of the rail, but not they alone."""
+- **What km2 has more than km1, asked of the program** (believing what km1 ended in): beside {self.diagnoses['km2 after km1'][0]['verdict']} {named(self.diagnoses['km2 after km1'][0])}{self.of_waves()}."""
+
+    def of_waves(self):
+        """What it means that waves are named beside the verdict, if they are."""
+        waves = any(own["effect"] == "rail-corrugation" for own in self.diagnoses["km2 after km1"][0]["omitted"])
+        return ": waves of the rail, but not they alone" if waves else ", no waves of the rail, which the bands show: what is named stands in for them"
 
     def unseen_mean(self, name, model, which):
         return sides_mean(self.unseen[name, side][model][which] for side in SIDES)
