@@ -18,6 +18,7 @@ namespace {
 constexpr double kLeastDamping = 1e-9, kMostDamping = 1e6;
 constexpr double kLongestStep = 3.0;      ///< in deviations of the belief
 constexpr double kLongestLogStep = 1.0;   ///< of noise and floor: far below what shows, their slope promises anything
+constexpr double kLongestNumberStep = 0.5;  ///< of a number's logarithm: where a belief is as wide as a factor of two, three deviations led past the nearest top to pads and supports twenty times as stiff (docs/recordings/two_kilometres.md)
 constexpr int kSettleIterations = 3;      ///< of noise and floor alone, after every step
 constexpr double kWorthSettling = 2.0;    ///< nats promised by a step, after which noise and floor are settled
 constexpr double kWorthFinishing = 0.1;   ///< of the gain at which a climb ends: what an undamped step has to promise to be made
@@ -33,7 +34,8 @@ bool is_diagonal(const Unknown& unknown) { return unknown.kind == UnknownKind::n
 
 /// How far an unknown may move: to its bounds, and no further than its slope can be believed.
 std::pair<double, double> reach(const Unknown& unknown, double value) {
-    const double longest = is_diagonal(unknown) ? kLongestLogStep : kLongestStep * unknown.deviation;
+    double longest = is_diagonal(unknown) ? kLongestLogStep : kLongestStep * unknown.deviation;
+    if (unknown.kind == UnknownKind::number) longest = std::min(longest, kLongestNumberStep);
     return {std::max(unknown.low - value, -longest), std::min(unknown.high - value, longest)};
 }
 

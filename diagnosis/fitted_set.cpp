@@ -53,7 +53,18 @@ void add_member(const Candidate& member, const Fit& near, Supposition& own) {
     own.trial.effects.push_back(member.instance);
 }
 
-/// The parameter that would gain most beyond its range.
+bool is_released(const Unknown& unknown, const std::vector<std::string>& released) {
+    return unknown.kind == UnknownKind::number && std::find(released.begin(), released.end(), unknown.name) != released.end();
+}
+
+/// A number that may be wrong: believed no less widely than before, and within what a wrong number may be.
+void release(Unknown& unknown) {
+    unknown.deviation = std::max(unknown.deviation, kReleasedDeviation);
+    unknown.low = std::max(unknown.low, unknown.mean - kReleasedReach * unknown.deviation);
+    unknown.high = std::min(unknown.high, unknown.mean + kReleasedReach * unknown.deviation);
+}
+
+/// The parameter or number that would gain most beyond its range.
 struct Furthest {
     double nats = 0.0;
     std::size_t unknown = 0;
@@ -63,8 +74,10 @@ Furthest furthest_beyond(const FittedSet& set) {
     Furthest most;
     for (std::size_t u = 0; u < set.fit.unknowns.size(); ++u) {
         const Unknown& unknown = set.fit.unknowns[u];
-        if (unknown.kind != UnknownKind::effect) continue;
-        const double slope = set.fit.gradient(static_cast<long>(u)), x = set.fit.values[u];
+        if (unknown.kind != UnknownKind::effect && !is_released(unknown, set.released)) continue;
+        const double x = set.fit.values[u];
+        if (x > unknown.low && x < unknown.high) continue;
+        const double slope = set.fit.gradient(static_cast<long>(u));
         if ((x >= unknown.high && slope > 0.0) || (x <= unknown.low && slope < 0.0)) {
             const double deviation = set.fit.deviation(u), nats = 0.5 * slope * slope * deviation * deviation;
             if (nats > most.nats) most = {nats, u};
@@ -87,10 +100,16 @@ void widen(const EffectParameter& parameter, Unknown& unknown) {
 
 double nats_beyond_range(const FittedSet& set) { return furthest_beyond(set).nats; }
 
+std::string number_beyond_range(const FittedSet& set) {
+    const Furthest most = furthest_beyond(set);
+    return most.nats > 0.0 && set.fit.unknowns[most.unknown].kind == UnknownKind::number ? set.fit.unknowns[most.unknown].name : "";
+}
+
 bool is_too_strong(const FittedSet& set) {
     constexpr double kInexact = 3.0;
     const Furthest most = furthest_beyond(set);
     if (most.nats == 0.0) return false;
+    if (set.fit.unknowns[most.unknown].kind == UnknownKind::number) return true;
     const double x = set.fit.values[most.unknown], deviation = set.fit.deviation(most.unknown);
     const EffectParameter* parameter = parameter_of(set.fit.unknowns[most.unknown]);
     if (!parameter || !parameter->strength || parameter->nothing >= parameter->high || x < set.fit.unknowns[most.unknown].high) return false;
@@ -114,8 +133,8 @@ Supposition suppose(const BelievedCase& believed, const Fit& near, const std::ve
                     const std::vector<CorrectionPlace>& anonymous, const LikelihoodContext& context) {
     Supposition own{.trial = believed_trial(believed, *context.observations), .unknowns = nuisance_unknowns(believed, *context.observations), .start = {}};
     for (Unknown& unknown : own.unknowns)
-        if (std::find(released.begin(), released.end(), unknown.name) != released.end()) unknown.deviation = kReleasedDeviation;
-    for (const Unknown& unknown : own.unknowns) own.start.push_back(start_of(unknown, near));
+        if (is_released(unknown, released)) release(unknown);
+    for (const Unknown& unknown : own.unknowns) own.start.push_back(std::clamp(start_of(unknown, near), unknown.low, unknown.high));
     for (const Candidate& member : members) add_member(member, near, own);
     for (const CorrectionPlace& place : anonymous)
         for (Unknown& unknown : correction_unknowns(place, *context.observations)) {
@@ -159,7 +178,9 @@ FittedSet fit_correction(const BelievedCase& believed, const FittedSet& beside, 
 }
 
 std::optional<FittedSet> fit_beyond_range(const BelievedCase& believed, const FittedSet& leaning, const LikelihoodContext& context, const FitOptions& options) {
-    const std::size_t member = static_cast<std::size_t>(leaning.fit.unknowns[furthest_beyond(leaning).unknown].index) - believed.effects.size();
+    const Unknown& furthest = leaning.fit.unknowns[furthest_beyond(leaning).unknown];
+    if (furthest.kind != UnknownKind::effect) return std::nullopt;
+    const std::size_t member = static_cast<std::size_t>(furthest.index) - believed.effects.size();
     const EffectInstance& instance = leaning.effects[member].instance;
     const Element element = element_of(*find_effect(instance.effect), instance);
     if (element == Element::contact) return std::nullopt;

@@ -13,6 +13,7 @@
 namespace railpem::diagnosis {
 
 inline constexpr double kReleasedDeviation = 0.7;      ///< half of log 4: a number that is wrong is so by a factor between a quarter and four
+inline constexpr double kReleasedReach = 2.0;          ///< deviations: what would have to be further off is no wrong number, it stands in for something (a contact nine times as soft, which no two curved pieces of steel make)
 
 /// A supposition that was fitted: effects added, numbers released from their tolerances, or a free correction of a place.
 struct FittedSet {
@@ -50,15 +51,18 @@ FittedSet fit_correction(const BelievedCase& believed, const FittedSet& beside, 
 
 /// The member of a set that leans most on its range, alone and with its parameters widened by their range either way (nothing that is positive falls below a fifth of its least): what the physics
 /// would have to be like that the set imitates. An anonymous set, of that member's place and with the prior of an unknown; `beyond` is set.
-/// None where that member is in the contact: steel on steel gives no more than its range, and what distorts more is a nonlinearity that may be anywhere between wheel and ground (play of 0.1 mm in the
+/// None where what leans is a released number, and where that member is in the contact: steel on steel gives no more than its range, and what distorts more is a nonlinearity that may be anywhere between wheel and ground (play of 0.1 mm in the
 /// fastenings looked like a contact more than five times as nonlinear as Hertz's).
 std::optional<FittedSet> fit_beyond_range(const BelievedCase& believed, const FittedSet& leaning, const LikelihoodContext& context, const FitOptions& options);
 
-/// Nats that a set would gain, to second order, if one parameter of its effects could leave the range in which its physics is believed: a
+/// Nats that a set would gain, to second order, if one parameter of its effects could leave the range in which its physics is believed, or one of its released numbers that of a wrong number: a
 /// fit that leans on such a bound says that the physics is another. 0 when all lie inside.
 double nats_beyond_range(const FittedSet& set);
 
-/// Whether that parameter is a strength at the top of its range and would go, to second order, further beyond than its law may be wrong: three times EffectParameter::inexact.
+/// The released number that gains most so: as a wrong number it would have to be further off than one is. Empty: none, or what gains most is a parameter of an effect.
+std::string number_beyond_range(const FittedSet& set);
+
+/// Whether that parameter is a strength at the top of its range and would go, to second order, further beyond than its law may be wrong: three times EffectParameter::inexact. Or a released number.
 bool is_too_strong(const FittedSet& set);
 
 /// Log-likelihood of a part at a fit's values.

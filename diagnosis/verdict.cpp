@@ -167,7 +167,8 @@ Decision decide(const NamingResult& naming, const PlaceStudy& places, const Verd
     const double nothing = naming.retuned.score();
     const FittedSet* best = naming.sets.empty() ? nullptr : &naming.sets.front();
     const bool gains = best && best->score() > nothing + thresholds.least_gain && !unseen_disagrees(naming.retuned, *best, naming.unseen_share);
-    if (gains && (decision.unknown_score < best->score() + thresholds.anonymous || places.named_stands)) {
+    const bool can_be = best && (number_beyond_range(*best).empty() || !leans(*best, nothing));
+    if (gains && can_be && (decision.unknown_score < best->score() + thresholds.anonymous || places.named_stands)) {
         decision.named = best;
         for (const FittedSet& set : naming.sets)
             if (&set == best || (set.score() > best->score() - thresholds.credible && !contains(set, *best) && !leans(set, nothing)))

@@ -215,6 +215,15 @@ class WritingUp {
         }
     }
 
+    /// What no wrong number is and still helps most.
+    void report_no_wrong_number() {
+        if (naming_.sets.empty() || decision_.named || decision_.verdict != Verdict::unexplained) return;
+        const FittedSet& best = naming_.sets.front();
+        if (const std::string key = number_beyond_range(best); !key.empty())
+            result_.remains.push_back(fmt::format("{} would have to be further off than by a factor of {:.0f}, more than a wrong number is: it stands in for what is missing", key,
+                                                  std::exp(best.fit.find(key)->high - best.fit.find(key)->mean)));
+    }
+
     /// What the best unknown is like, where it is an effect beyond the range of its physics.
     void report_beyond_range() {
         const auto lower = [](const FittedSet& a, const FittedSet& b) { return a.score() < b.score(); };
@@ -263,6 +272,7 @@ class WritingUp {
             result_.remains.push_back(fmt::format("the unseen part repeats {:.0f} nats of what the fit misses, more than chance: something of the recordings has no name here", missed));
         if (decision_.named && !study_.at_named.empty() && study_.at_named.front().nats > thresholds_.residual)
             result_.remains.push_back(fmt::format("a free correction of the {} would still bring {:.0f} nats", element_name(study_.at_named.front().element), std::trunc(study_.at_named.front().nats)));
+        report_no_wrong_number();
         report_beyond_range();
         const double bearable = decision_.named ? nats_left(*decision_.named, naming_.retuned.score(), thresholds_.residual) : 0.0;
         for (const NamedEffect& effect : result_.omitted)

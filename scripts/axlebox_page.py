@@ -179,12 +179,28 @@ Numbers that retuning moved beyond two tolerances, by kilometre."""
         return f"""Retuned, the generic case follows the third-octaves of what was seen within {fit['km1']['retuned']['rms_db']:.1f} dB (km1) and {fit['km2']['retuned']['rms_db']:.1f} dB (km2), with numbers that no car has.
   In km2 the unseen third bears it out: {fit['km2']['held_out_before']['rms_db']:.1f} dB believed, {fit['km2']['held_out_retuned']['rms_db']:.1f} retuned, {fit['km2']['held_out_after']['rms_db']:.1f} diagnosed. In km1 its shape does ({self.unseen_mean('km1', 'believed', 1):.1f} dB believed, {self.unseen_mean('km1', 'retuned', 1):.1f} retuned, {self.unseen_mean('km1', 'diagnosed', 1):.1f} diagnosed), its level does not.
   No set of the catalogue explains the rest; beside the verdict stand {', '.join(beside)}, which may stand in for what is missing. They show in the likelihood of the unseen third, not in its third-octaves.
-- **What km2 has more than km1, asked of the program** (believing what km1 ended in): beside {self.diagnoses['km2 after km1'][0]['verdict']} {named(self.diagnoses['km2 after km1'][0])}{self.of_waves()}."""
+- **What km2 has more than km1, asked of the program** (believing what km1 ended in, and that the same car ran over both): beside {self.diagnoses['km2 after km1'][0]['verdict']} {named(self.diagnoses['km2 after km1'][0])}{self.of_waves()}."""
+
+    def after_km1(self):
+        """What km2 has more than km1 by how well the car is known, from well to badly."""
+        return sorted((self.otherwise | {self.study.same_car: self.diagnoses["km2 after km1"]}).items())
 
     def of_waves(self):
-        """What it means that waves are named beside the verdict, if they are."""
-        waves = any(own["effect"] == "rail-corrugation" for own in self.diagnoses["km2 after km1"][0]["omitted"])
-        return ": waves of the rail, but not they alone" if waves else ", no waves of the rail, which the bands show: what is named stands in for them"
+        """In how many of these answers waves are named, how long, and what that means."""
+        lengths = [own["parameters"]["wavelength_m"]["value"] for _, (result, _) in self.after_km1() for own in result["omitted"] if own["effect"] == "rail-corrugation"]
+        if not lengths:
+            return ", no waves of the rail, which the bands show: what is named stands in for them"
+        known = self.after_km1()
+        return f""": waves of the rail, the length of those that the bands show, but not they alone.
+  {len(lengths)} of {len(known)} answers, for a car known within {100 * known[0][0]:g} to {100 * known[-1][0]:g} %, name them, {min(lengths):.2f} to {max(lengths):.2f} m long; what else stands beside them changes from one to the next and is not to be believed"""
+
+    def otherwise_table(self):
+        """What km2 has more than km1, by how well the car is known."""
+        rows = ["| the car's numbers and the contact are known within | verdict | beside it | retuned, dB | diagnosed, dB |", "|---|---|---|---|---|"]
+        for tolerance, (result, _) in self.after_km1():
+            fit = result["fit"]
+            rows.append(f"| {100 * tolerance:g} % | {result['verdict']} | {named(result)} | {fit['retuned']['rms_db']:.2f} | {fit['after']['rms_db']:.2f} |")
+        return "\n".join(rows)
 
     def unseen_mean(self, name, model, which):
         return sides_mean(self.unseen[name, side][model][which] for side in SIDES)
@@ -235,11 +251,15 @@ the wheel on the track cannot be parted by one run at one speed.
 ![Recorded, believed, retuned, diagnosed](two_kilometres_diagnosed.png)
 
 Against [cases/generic](../../cases/generic/README.md), wheel radius from the lines, scale of every channel free, each side on a rail of its own with one spectrum for both; 2 to 167 Hz; lines brought
-down to the level beside them. For the last row km2 is given in the scale that km1 ended in, so that levels count.
+down to the level beside them. For the last row km2 is given in the scale that km1 ended in, so that levels count, and the car and its contact are those that km1 ended in within {100 * self.study.same_car:g} %: it is one run.
 
 {self.diagnosis_table()}
 
 {self.statements()}
+
+How much rests on the car being the same:
+
+{self.otherwise_table()}
 
 Numbers that retuning moved beyond two of their wide tolerances (what the model needs to follow the record, not what the car has): {self.outside()}.
 

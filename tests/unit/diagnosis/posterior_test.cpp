@@ -40,6 +40,7 @@ TEST(Places, AreNotThoseOfWhatWouldBeStrongerThanItsPhysics) {
     study.at_retuned = {{.element = Element::pad, .nats = 33000.0}, {.element = Element::contact, .nats = 330.0}};
     EXPECT_EQ(place_probabilities(given_naming({contact_beyond(1.2)}), study, {}).front().element, Element::pad);
     EXPECT_EQ(place_probabilities(given_naming({contact_beyond(1.05)}), study, {}).front().element, Element::contact);
+    EXPECT_EQ(place_probabilities(given_naming({leaning_number(given_set({}, {"contact.constant_m_per_n23"}, 1000.0, 300.0), 10.0)}), study, {}).front().element, Element::pad);
     study.anonymous = {given_set({}, {}, 1000.0, 300.0)};  // an unknown as probable as the name
     study.anonymous.front().anonymous = {{.element = Element::rail, .channel = {}}};
     EXPECT_EQ(place_probabilities(given_naming({contact_beyond(1.2)}), study, {.unknown_score = 1000.0}).front().element, Element::rail);

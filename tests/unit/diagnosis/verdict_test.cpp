@@ -238,6 +238,19 @@ TEST(Decide, NamesANumberHoweverWrong) {
     EXPECT_EQ(decide(given_naming({released}), {}, thresholds).verdict, Verdict::explained);
 }
 
+// Contact nine times as soft as believed was named between two kilometres of one run.
+TEST(Decide, NamesNoNumberThatWouldHaveToBeFurtherOffThanAWrongOneIs) {
+    const FittedSet number = given_set({}, {"contact.constant_m_per_n23"}, 1000.0, 300.0);
+    const Decision beyond = decide(given_naming({leaning_number(number, 10.0)}), {}, thresholds);
+    EXPECT_EQ(beyond.verdict, Verdict::unexplained);
+    EXPECT_EQ(beyond.named, nullptr);
+    EXPECT_EQ(number_beyond_range(leaning_number(number, 10.0)), "contact.constant_m_per_n23");
+    // Chance may carry it as far.
+    EXPECT_EQ(decide(given_naming({leaning_number(number, 1.0)}), {}, thresholds).verdict, Verdict::explained);
+    // Of an effect it is the strength that leans.
+    EXPECT_EQ(number_beyond_range(leaning_set(given_set({"rail-shear"}, {}, 1000.0, 300.0), 10.0)), "");
+}
+
 // What an approximation leaves may drive a parameter to the end of its range, but no strength beyond its top by more than its law gets wrong: 3 x 3.5 % of the contact's nonlinearity.
 TEST(Decide, NamesNothingThatWouldBeStrongerThanItsPhysics) {
     ASSERT_EQ(find_effect("contact-nonlinearity")->parameters.front().inexact, 0.035);
@@ -251,6 +264,14 @@ TEST(BeyondRange, IsNoContact) {
     const BelievedCase believed;
     const LikelihoodContext context{.believed = &believed, .observations = &none};
     EXPECT_FALSE(fit_beyond_range(believed, leaning_set(given_set({"contact-nonlinearity"}, {}, 100.0, 20.0), 50.0), context, {}));
+}
+
+// It is no effect that could be fitted beyond its range.
+TEST(BeyondRange, IsNoNumber) {
+    const std::vector<Observation> none;
+    const BelievedCase believed;
+    const LikelihoodContext context{.believed = &believed, .observations = &none};
+    EXPECT_FALSE(fit_beyond_range(believed, leaning_number(given_set({"rail-shear"}, {"vehicle.bogie_mass_kg"}, 100.0, 20.0), 50.0), context, {}));
 }
 
 TEST(Statement, AmbiguousNamesBothAndWhatWouldDecide) {
