@@ -59,9 +59,10 @@ bool is_released(const Unknown& unknown, const std::vector<std::string>& release
 
 /// A number that may be wrong: believed no less widely than before, and within what a wrong number may be.
 void release(Unknown& unknown) {
+    const double reach = reach_of_wrong(unknown);
     unknown.deviation = std::max(unknown.deviation, kReleasedDeviation);
-    unknown.low = std::max(unknown.low, unknown.mean - kReleasedReach * unknown.deviation);
-    unknown.high = std::min(unknown.high, unknown.mean + kReleasedReach * unknown.deviation);
+    unknown.low = std::max(unknown.low, unknown.mean - reach);
+    unknown.high = std::min(unknown.high, unknown.mean + reach);
 }
 
 /// The parameter or number that would gain most beyond its range.
@@ -97,6 +98,11 @@ void widen(const EffectParameter& parameter, Unknown& unknown) {
 }
 
 }  // namespace
+
+double reach_of_wrong(const Unknown& number) {
+    const auto is = [&](const char* what) { return number.name.find(what) != std::string::npos; };
+    return std::max(is("stiffness") || is("damping") || is("loss_factor") ? std::log(10.0) : std::log(4.0), 2.0 * number.deviation);
+}
 
 double nats_beyond_range(const FittedSet& set) { return furthest_beyond(set).nats; }
 

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
@@ -89,23 +90,24 @@ TEST(Fit, WideBeliefsAreClimbedInShortSteps) {
     EXPECT_LE(iterations, 22);
 }
 
-// Between a quarter and four times what was believed, or as wide as it was believed; a fit that is near may have it further off.
-TEST(Suppose, AWrongNumberIsWithinAFactorOfFour) {
+// Masses within a factor of four, a stiffness within ten, or as wide as it was believed; a fit that is near may have it further off.
+TEST(Suppose, AWrongNumberIsWithinReach) {
     Synthesised made = small();
     made.observations = made.shapes;
-    made.believed.uncertain.front().tolerance = 0.9;
-    Fit near{.trial = made.truth, .unknowns = nuisance_unknowns(made.believed, made.observations)};
-    near.values.assign(near.unknowns.size(), 0.0);
-    const auto deviation_and_reach = [&](const std::string& key, double value) {
+    const auto reach = [&](const std::string& key, double tolerance, double value) {
+        for (BelievedNumber& own : made.believed.uncertain) own.tolerance = tolerance;
+        Fit near{.trial = made.truth, .unknowns = nuisance_unknowns(made.believed, made.observations)};
+        near.values.assign(near.unknowns.size(), 0.0);
         std::size_t index = 0;
         near.find(key, &index);
         near.values[index] = value;
         const Supposition own = suppose(made.believed, near, {}, {key}, {}, made.context());
         return std::array{own.unknowns[index].deviation, own.unknowns[index].low, own.unknowns[index].high, own.start[index]};
     };
-    const auto narrow = deviation_and_reach("vehicle.bogie_mass_kg", -2.0), wide = deviation_and_reach("vehicle.primary.stiffness_n_per_m", 2.0);
-    EXPECT_EQ(narrow, (std::array{0.7, -1.4, 1.4, -1.4}));
-    EXPECT_EQ(wide, (std::array{0.9, -1.8, 1.8, 1.8}));
+    const double four = std::log(4.0), ten = std::log(10.0);
+    EXPECT_EQ(reach("vehicle.bogie_mass_kg", 0.05, -2.0), (std::array{0.7, -four, four, -four}));
+    EXPECT_EQ(reach("vehicle.primary.stiffness_n_per_m", 0.1, 2.0), (std::array{0.7, -ten, ten, 2.0}));
+    EXPECT_EQ(reach("vehicle.primary.stiffness_n_per_m", 1.25, 2.7), (std::array{1.25, -2.5, 2.5, 2.5}));
 }
 
 TEST(Fit, ParametersOfANullComeBack) {

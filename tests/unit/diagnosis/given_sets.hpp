@@ -36,7 +36,7 @@ inline FittedSet leaning_set(FittedSet set, double nats) {
 /// The one released number of a set lies on the end of what a wrong number is and would gain so many nats beyond.
 inline FittedSet leaning_number(FittedSet set, double nats) {
     set = leaning_set(std::move(set), nats);
-    set.fit.unknowns.front() = {.kind = UnknownKind::number, .name = set.released.front(), .deviation = kReleasedDeviation, .low = -kReleasedReach * kReleasedDeviation, .high = kReleasedReach * kReleasedDeviation};
+    set.fit.unknowns.front() = {.kind = UnknownKind::number, .name = set.released.front(), .deviation = kReleasedDeviation, .low = -std::log(4.0), .high = std::log(4.0)};
     set.fit.values.front() = set.fit.unknowns.front().high;
     return set;
 }
