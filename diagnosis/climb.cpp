@@ -18,7 +18,7 @@ namespace {
 constexpr double kLeastDamping = 1e-9, kMostDamping = 1e6;
 constexpr double kLongestStep = 3.0;      ///< in deviations of the belief
 constexpr double kLongestLogStep = 1.0;   ///< of noise and floor: far below what shows, their slope promises anything
-constexpr double kLongestNumberStep = 0.5;  ///< of a number's logarithm: where a belief is as wide as a factor of two, three deviations led past the nearest top to pads and supports twenty times as stiff (docs/recordings/two_kilometres.md)
+constexpr double kLongestNumberStep = 0.5;  ///< of a number's logarithm: where a belief is as wide as a factor of two, three deviations led past the nearest top, to the bounds of numbers (Fit.WideBeliefsAreClimbedInShortSteps). By judgement: 0.35 and 0.5 did the same, 0.7 went too far on one of two kilometres of real track
 constexpr int kSettleIterations = 3;      ///< of noise and floor alone, after every step
 constexpr double kWorthSettling = 2.0;    ///< nats promised by a step, after which noise and floor are settled
 constexpr double kWorthFinishing = 0.1;   ///< of the gain at which a climb ends: what an undamped step has to promise to be made

@@ -57,14 +57,6 @@ bool is_released(const Unknown& unknown, const std::vector<std::string>& release
     return unknown.kind == UnknownKind::number && std::find(released.begin(), released.end(), unknown.name) != released.end();
 }
 
-/// A number that may be wrong: believed no less widely than before, and within what a wrong number may be.
-void release(Unknown& unknown) {
-    const double reach = reach_of_wrong(unknown);
-    unknown.deviation = std::max(unknown.deviation, kReleasedDeviation);
-    unknown.low = std::max(unknown.low, unknown.mean - reach);
-    unknown.high = std::min(unknown.high, unknown.mean + reach);
-}
-
 /// The parameter or number that would gain most beyond its range.
 struct Furthest {
     double nats = 0.0;
@@ -99,9 +91,13 @@ void widen(const EffectParameter& parameter, Unknown& unknown) {
 
 }  // namespace
 
-double reach_of_wrong(const Unknown& number) {
+Unknown released(Unknown number) {
     const auto is = [&](const char* what) { return number.name.find(what) != std::string::npos; };
-    return std::max(is("stiffness") || is("damping") || is("loss_factor") ? std::log(10.0) : std::log(4.0), 2.0 * number.deviation);
+    const double reach = std::max(is("stiffness") || is("damping") || is("loss_factor") ? std::log(10.0) : std::log(4.0), 2.0 * number.deviation);
+    number.deviation = std::max(number.deviation, kReleasedDeviation);
+    number.low = std::max(number.low, number.mean - reach);
+    number.high = std::min(number.high, number.mean + reach);
+    return number;
 }
 
 double nats_beyond_range(const FittedSet& set) { return furthest_beyond(set).nats; }
@@ -139,7 +135,7 @@ Supposition suppose(const BelievedCase& believed, const Fit& near, const std::ve
                     const std::vector<CorrectionPlace>& anonymous, const LikelihoodContext& context) {
     Supposition own{.trial = believed_trial(believed, *context.observations), .unknowns = nuisance_unknowns(believed, *context.observations), .start = {}};
     for (Unknown& unknown : own.unknowns)
-        if (is_released(unknown, released)) release(unknown);
+        if (is_released(unknown, released)) unknown = diagnosis::released(std::move(unknown));
     for (const Unknown& unknown : own.unknowns) own.start.push_back(std::clamp(start_of(unknown, near), unknown.low, unknown.high));
     for (const Candidate& member : members) add_member(member, near, own);
     for (const CorrectionPlace& place : anonymous)

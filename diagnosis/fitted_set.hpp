@@ -14,9 +14,10 @@ namespace railpem::diagnosis {
 
 inline constexpr double kReleasedDeviation = 0.7;      ///< half of log 4: a number that is wrong mostly is so by a factor between a quarter and four
 
-/// How far a number that is wrong may be off, as a logarithm: masses, inertias, sections and contacts log 4; stiffness, damping and loss, which wear, break or were never measured, log 10; either as two deviations of its belief where
-/// that is wider. What would have to be further off is no wrong number, it stands in for something (a contact nine times as soft, which no two curved pieces of steel make).
-double reach_of_wrong(const Unknown& number);
+/// A number as it is believed when it may be wrong: no less widely than before, and within what a wrong number is. Masses, inertias, sections and contacts within a factor of four of their mean; stiffness, damping and loss, which wear,
+/// break or were never measured, within ten; either within two deviations of its own belief where that is wider. What would have to be further off is no wrong number, it stands in for something (a contact nine times as soft, which no
+/// two curved pieces of steel make).
+Unknown released(Unknown number);
 
 /// A supposition that was fitted: effects added, numbers released from their tolerances, or a free correction of a place.
 struct FittedSet {

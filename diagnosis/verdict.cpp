@@ -90,6 +90,8 @@ bool only_sensors(const FittedSet& set) {
 // was called a contact five times as nonlinear as Hertz's, which is as much as there is.
 bool leans(const FittedSet& set, double nothing) { return nats_beyond_range(set) > (is_approximate(set) && !is_too_strong(set) ? nats_left(set, nothing, kLeaning) : kLeaning); }
 
+std::string no_wrong_number(const FittedSet& set, double nothing) { return leans(set, nothing) ? number_beyond_range(set) : ""; }
+
 std::vector<std::string> labels_of(const FittedSet& set) {
     std::vector<std::string> labels;
     for (const Candidate& member : set.effects) labels.push_back(member.instance.effect);
@@ -167,8 +169,8 @@ Decision decide(const NamingResult& naming, const PlaceStudy& places, const Verd
     const double nothing = naming.retuned.score();
     const FittedSet* best = naming.sets.empty() ? nullptr : &naming.sets.front();
     const bool gains = best && best->score() > nothing + thresholds.least_gain && !unseen_disagrees(naming.retuned, *best, naming.unseen_share);
-    const bool can_be = best && (number_beyond_range(*best).empty() || !leans(*best, nothing));
-    if (gains && can_be && (decision.unknown_score < best->score() + thresholds.anonymous || places.named_stands)) {
+    const bool has_name = gains && no_wrong_number(*best, nothing).empty();
+    if (has_name && (decision.unknown_score < best->score() + thresholds.anonymous || places.named_stands)) {
         decision.named = best;
         for (const FittedSet& set : naming.sets)
             if (&set == best || (set.score() > best->score() - thresholds.credible && !contains(set, *best) && !leans(set, nothing)))

@@ -42,6 +42,9 @@ bool names_friction(const FittedSet& set);
 /// A set needs a parameter beyond the range of its physics, by more than chance and than what its own law may leave; `nothing`: score of nothing added.
 bool leans(const FittedSet& set, double nothing);
 
+/// The released number of a set that would have to be further off than a wrong number is, by more than chance: that set has no name. Empty: none.
+std::string no_wrong_number(const FittedSet& set, double nothing);
+
 /// Most nats that speak against one value in all recordings for a parameter of the best set.
 double inconstancy(const PlaceStudy& study);
 

@@ -217,9 +217,9 @@ class WritingUp {
 
     /// What no wrong number is and still helps most.
     void report_no_wrong_number() {
-        if (naming_.sets.empty() || decision_.named || decision_.verdict != Verdict::unexplained) return;
+        if (naming_.sets.empty() || decision_.verdict != Verdict::unexplained) return;
         const FittedSet& best = naming_.sets.front();
-        if (const std::string key = number_beyond_range(best); !key.empty())
+        if (const std::string key = no_wrong_number(best, naming_.retuned.score()); !key.empty())
             result_.remains.push_back(fmt::format("{} would have to be further off than by a factor of {:.0f}, more than a wrong number is: it stands in for what is missing", key,
                                                   std::exp(best.fit.find(key)->high - best.fit.find(key)->mean)));
     }

@@ -181,23 +181,19 @@ Numbers that retuning moved beyond two tolerances, by kilometre."""
   No set of the catalogue explains the rest; beside the verdict stand {', '.join(beside)}, which may stand in for what is missing. They show in the likelihood of the unseen third, not in its third-octaves.
 - **What km2 has more than km1, asked of the program** (believing what km1 ended in, and that the same car ran over both): beside {self.diagnoses['km2 after km1'][0]['verdict']} {named(self.diagnoses['km2 after km1'][0])}{self.of_waves()}."""
 
-    def after_km1(self):
-        """What km2 has more than km1 by how well the car is known, from well to badly."""
-        return sorted((self.otherwise | {self.study.same_car: self.diagnoses["km2 after km1"]}).items())
-
     def of_waves(self):
         """In how many of these answers waves are named, how long, and what that means."""
-        lengths = [own["parameters"]["wavelength_m"]["value"] for _, (result, _) in self.after_km1() for own in result["omitted"] if own["effect"] == "rail-corrugation"]
+        lengths = [own["parameters"]["wavelength_m"]["value"] for result, _ in self.after_km1.values() for own in result["omitted"] if own["effect"] == "rail-corrugation"]
         if not lengths:
             return ", no waves of the rail, which the bands show: what is named stands in for them"
-        known = self.after_km1()
+        worst = max(self.after_km1)
         return f""": waves of the rail, the length of those that the bands show, but not they alone.
-  {len(lengths)} of {len(known)} answers, for a car known within {100 * known[0][0]:g} to {100 * known[-1][0]:g} %, name them, {min(lengths):.2f} to {max(lengths):.2f} m long; what else stands beside them changes from one to the next and is not to be believed"""
+  {len(lengths)} of {len(self.after_km1)} answers, for a car known exactly to one known within {100 * worst:g} %, name them, {min(lengths):.2f} to {max(lengths):.2f} m long; what else stands beside them changes from one to the next and is not to be believed"""
 
-    def otherwise_table(self):
+    def car_known_table(self):
         """What km2 has more than km1, by how well the car is known."""
         rows = ["| the car's numbers and the contact are known within | verdict | beside it | retuned, dB | diagnosed, dB |", "|---|---|---|---|---|"]
-        for tolerance, (result, _) in self.after_km1():
+        for tolerance, (result, _) in self.after_km1.items():
             fit = result["fit"]
             rows.append(f"| {100 * tolerance:g} % | {result['verdict']} | {named(result)} | {fit['retuned']['rms_db']:.2f} | {fit['after']['rms_db']:.2f} |")
         return "\n".join(rows)
@@ -259,7 +255,7 @@ down to the level beside them. For the last row km2 is given in the scale that k
 
 How much rests on the car being the same:
 
-{self.otherwise_table()}
+{self.car_known_table()}
 
 Numbers that retuning moved beyond two of their wide tolerances (what the model needs to follow the record, not what the car has): {self.outside()}.
 

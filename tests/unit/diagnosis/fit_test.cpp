@@ -84,10 +84,11 @@ TEST(Fit, WideBeliefsAreClimbedInShortSteps) {
         made.draw(seed);
         const Trial base = believed_trial(made.believed, made.observations);
         const Fit found = fit(base, unknowns, means(unknowns), made.context()), from_truth = fit(base, unknowns, truth, made.context(), {.from_far = false});
+        // Each ends where a step promises less than 0.1 nats, and such steps may follow each other.
         EXPECT_GT(found.log_posterior, from_truth.log_posterior - 1.0) << seed;
         iterations += found.iterations;
     }
-    EXPECT_LE(iterations, 22);
+    EXPECT_LE(iterations, 22);  // between the two, nearer to what it takes
 }
 
 // Masses within a factor of four, a stiffness within ten, or as wide as it was believed; a fit that is near may have it further off.

@@ -7,6 +7,8 @@
 #include <cstdio>
 #include <numbers>
 
+#include "diagnosis/diagnose.hpp"
+#include "diagnosis/effects/effect.hpp"
 #include "diagnosis/fitted_set.hpp"
 #include "diagnosis/from_afar.hpp"
 #include "diagnosis/locate.hpp"
@@ -42,6 +44,24 @@ TEST(BeyondRange, AnAbsorberOnTheAxlesActsLikeAnAxleThatBendsTooLow) {
         if (const EffectParameter* parameter = parameter_of(beyond.fit.unknowns[u])) {
             EXPECT_NEAR(beyond.fit.values[u], to_coordinate(*parameter, mode.values.at(parameter->name)), 4.0 * beyond.fit.deviation(u)) << parameter->name;  // one in 16 000 by chance
         }
+}
+
+// Bogies three times as heavy are a wrong number, 4.2 times as heavy are not: where nothing else can be named, nothing is, and what remains says why.
+TEST(BeyondRange, ANumberFurtherOffThanAWrongOneIsSaidAndNotNamed) {
+    DiagnoseOptions options{.threads = 2};
+    for (const Effect& effect : effects())
+        if (effect.id != "parameter-error") options.naming.without.push_back(effect.id);
+    for (const double factor : {3.0, 4.2}) {
+        Synthesised made = synthesised(paper_believed({"vehicle.bogie_mass_kg"}), {20.0}, 60.0, {"bogie_1", "wheel_1"}, kSmall);
+        made.believed.uncertain.front().tolerance = 0.005;  // so well known that retuning does not follow
+        made.truth.numbers.vehicle.bogie_mass_kg *= factor;
+        made.draw(7);
+        const Diagnosis found = diagnose(made.believed, made.observations, options);
+        const bool said = std::any_of(found.remains.begin(), found.remains.end(), [](const std::string& own) { return own.starts_with("vehicle.bogie_mass_kg would have to be further off than by a factor of 4,"); });
+        EXPECT_EQ(found.verdict, factor < 4.0 ? Verdict::explained : Verdict::unexplained) << found.statement;
+        EXPECT_EQ(found.omitted.empty(), factor > 4.0);
+        EXPECT_EQ(said, factor > 4.0);
+    }
 }
 
 /// Records of a car whose bogies a linkage ties to each other.
