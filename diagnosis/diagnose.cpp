@@ -9,6 +9,7 @@
 #include "diagnosis/hold_again.hpp"
 #include "diagnosis/locate.hpp"
 #include "diagnosis/model_error.hpp"
+#include "diagnosis/repeated_levels.hpp"
 #include "diagnosis/robust_covariance.hpp"
 #include "diagnosis/verdict.hpp"
 #include "diagnosis/wheel_unloading.hpp"
@@ -88,6 +89,7 @@ class Diagnosing {
         study_.by_retuned = missed_by(naming_.retuned.fit, context_);
         if (!naming_.sets.empty()) restore_caches(naming_.sets.front().fit, context_);
         if (!naming_.sets.empty()) study_.by_named = missed_by(naming_.sets.front().fit, context_);
+        if (!naming_.sets.empty()) study_.named_level_db = repeated_level_db(naming_.sets.front().fit, observations_);
         if (!naming_.sets.empty()) study_.by_recording = constancy(naming_.sets.front().fit, context_);
         if (!naming_.sets.empty() && names_friction(naming_.sets.front())) study_.friction = friction_law(naming_.sets.front().fit, context_);
         if (!naming_.sets.empty() && naming_.sets.front().score() > naming_.retuned.score() + options_.thresholds.least_gain)
@@ -116,7 +118,7 @@ class Diagnosing {
         if (naming_.sets.empty()) return true;
         const FittedSet& best = naming_.sets.front();
         const double nothing = naming_.retuned.score(), residual = options_.thresholds.residual;
-        return best.score() <= nothing + options_.thresholds.least_gain || leans(best, nothing) || study_.by_named > misfit_left(best, nothing, residual) ||
+        return best.score() <= nothing + options_.thresholds.least_gain || leans(best, nothing) || stands_in(best, options_.thresholds) || study_.by_named > misfit_left(best, nothing, residual) ||
                (!study_.at_named.empty() && study_.at_named.front().nats > nats_left(best, nothing, residual));
     }
 

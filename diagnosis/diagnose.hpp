@@ -14,7 +14,8 @@ struct VerdictThresholds {
     double credible = 4.0;          ///< a rival set is credible within so many nats of the best
     double residual = 12.0;         ///< nats that a free correction beside the named set may promise by chance, or nats_left() of it (model_error.hpp)
     double anonymous = 3.0;         ///< nats by which a free correction must beat the named set to make it nameless
-    double number_tolerances = 11.0;  ///< by which a number may end beside a name, furthest_number(): between the most beside a right one (9.5, every eighth fastener failed) and the least beside a wrong one (12.9, a play of the fastenings)
+    double number_tolerances = 4.5;   ///< by which a number may end beside a name, furthest_number(), unless its law bends numbers (Effect::bends_numbers): between the most beside a right one (3.9) and the least beside a wrong one (5.3, a play of the fastenings)
+    double level_db = 1.4;            ///< by which levels may be off beside a name without friction, repeated_level_db(): between the most beside right ones (1.3) and the least beside wrong ones (1.6)
 };
 
 struct DiagnoseOptions {

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <string>
 
+#include "diagnosis/faint_sources.hpp"
 #include "diagnosis/friction_spectra.hpp"
 #include "diagnosis/kernel_smoothing.hpp"
 #include "diagnosis/source_spectra.hpp"
@@ -208,10 +210,9 @@ void add_broadband(const pem::CaseParameters& parameters, const pem::Excitation&
     for (const pem::DelayedSpectrum& source : excitation.broadband)
         add_smoothed(fine_responses(parts.of_irregularity, source, &source == &excitation.broadband.front() ? irregularity.at_lines : powers_at_lines(source, grid), wheels, speed, grid), expected.channels, weights,
                      {.first = grid.first, .count = grid.count, .first_bin = expected.first_bin, .bins = expected.bins()}, expected.values);
-    for (const pem::DelayedSpectrum& source : pem::pad_distortion(parts.pads, excitation.broadband, wheels, speed))
-        add_as_it_is(parts.transfers, source, wheels, speed, bin, expected);
-    for (const pem::DelayedSpectrum& source : pem::distortion_sources(contacts, parameters))
-        add_as_it_is(parts.transfers, source, wheels, speed, bin, expected);
+    std::vector<pem::DelayedSpectrum> faint = pem::pad_distortion(parts.pads, excitation.broadband, wheels, speed);
+    std::ranges::move(pem::distortion_sources(contacts, parameters), std::back_inserter(faint));
+    add_as_they_are(parts.transfers, faint, wheels, speed, bin, expected);
     if (!parameters.wheels_own.empty()) add_wheels_own(parameters, parts.transfers, excitation.broadband.front(), wheels, speed, bin, expected);
     add_felt(parts.transfers, parts.felt, excitation.broadband.front(), wheels, speed, bin, expected);
 }

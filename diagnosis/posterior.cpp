@@ -80,7 +80,7 @@ bool goes_before(const PlaceEvidence& a, const PlaceEvidence& b) {
 
 }  // namespace
 
-std::vector<PlaceEvidence> place_probabilities(const NamingResult& naming, const PlaceStudy& places, const Decision& decision) {
+std::vector<PlaceEvidence> place_probabilities(const NamingResult& naming, const PlaceStudy& places, const Decision& decision, const VerdictThresholds& thresholds) {
     std::map<Element, PlaceEvidence> found;
     for (const PlaceEvidence& place : places.at_retuned) found[place.element] = place;
     const double best = best_score(naming, decision);
@@ -89,8 +89,8 @@ std::vector<PlaceEvidence> place_probabilities(const NamingResult& naming, const
     sum += weight_of(naming.retuned.score(), best);
     double unknown = weight_of(decision.unknown_score, best) / sum;
     for (const FittedSet& set : naming.sets) {
-        // What would be stronger than its physics can be is another thing, and where it sits that name does not say.
-        if (is_too_strong(set)) {
+        // Where another thing sits, the name of what stands in for it does not say.
+        if (stands_in(set, thresholds)) {
             unknown += weight_of(set.score(), best) / sum;
             continue;
         }

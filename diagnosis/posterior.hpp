@@ -14,6 +14,6 @@ std::vector<EffectSet> posterior_of(const NamingResult& naming, const Decision& 
 double probability_with(const NamingResult& naming, const Decision& decision, const std::function<bool(const FittedSet&)>& has);
 
 /// Places with their probability: those of the sets weighted by their probability, the unknown's by its evidence.
-std::vector<PlaceEvidence> place_probabilities(const NamingResult& naming, const PlaceStudy& places, const Decision& decision);
+std::vector<PlaceEvidence> place_probabilities(const NamingResult& naming, const PlaceStudy& places, const Decision& decision, const VerdictThresholds& thresholds = {});
 
 }  // namespace railpem::diagnosis

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 
+#include "diagnosis/delay_phases.hpp"
+#include "lanes/complex_lanes.hpp"
 #include "pem/excitation.hpp"
 #include "pem/sensor_chain.hpp"
 #include "pem/solution.hpp"
@@ -29,29 +32,27 @@ void add_outer_product(const std::vector<Complex>& y, Complex* power) {
 
 bool differ(double a, double b, double ratio) { return std::max(a, b) > ratio * std::min(a, b); }
 
-/// Delays of the wheels along the fine grid: each line's from that of the line before, taken anew often enough for rounding not to add up.
-class DelayPhases {
+/// Σ t_j·e_j over four wheels, in two registers each: as complex numbers one after the other it waited for its own stores.
+class Dot {
   public:
-    DelayPhases(const std::vector<double>& wheels_m, double speed_m_per_s, const FineGrid& grid) : wheels_(wheels_m), speed_(speed_m_per_s), grid_(grid) {
-        for (std::size_t j = 0; j < 4; ++j) turn_[j] = pem::delay_phase(wheels_, j, grid.step_hz, speed_);
+    explicit Dot(const Complex* e) {
+        for (int half = 0; half < 2; ++half) {
+            const Complex a = e[2 * half], b = e[2 * half + 1];
+            real_[half] = lanes::Real{a.real(), -a.imag(), b.real(), -b.imag()};
+            imaginary_[half] = lanes::Real{a.imag(), a.real(), b.imag(), b.real()};
+        }
     }
 
-    /// Those of line `i`; lines one after the other, none left out.
-    const std::array<Complex, 4>& at(std::size_t i) {
-        constexpr std::size_t kAnew = 32;  ///< lines: 32 roundings are some 1e-15
-        for (std::size_t j = 0; j < 4; ++j) {
-            const Complex& p = phase_[j];
-            const Complex& t = turn_[j];
-            phase_[j] = i % kAnew == 0 ? pem::delay_phase(wheels_, j, grid_.frequency(i), speed_) : Complex(p.real() * t.real() - p.imag() * t.imag(), p.real() * t.imag() + p.imag() * t.real());
-        }
-        return phase_;
+    Complex operator()(const Complex* t) const {
+        lanes::Real front, rear;
+        std::memcpy(&front, t, sizeof front);
+        std::memcpy(&rear, t + 2, sizeof rear);
+        const lanes::Real re = front * real_[0] + rear * real_[1], im = front * imaginary_[0] + rear * imaginary_[1];
+        return {(re[0] + re[1]) + (re[2] + re[3]), (im[0] + im[1]) + (im[2] + im[3])};
     }
 
   private:
-    const std::vector<double>& wheels_;
-    double speed_;
-    FineGrid grid_;
-    std::array<Complex, 4> turn_{}, phase_{};
+    lanes::Real real_[2], imaginary_[2];
 };
 
 }  // namespace
@@ -116,38 +117,10 @@ std::vector<Complex> fine_responses(const pem::WheelTransfers& transfers, const 
         if (source.under_wheels) std::ranges::copy(source.under_wheels(f), e);
         else
             for (std::size_t j = 0; j < 4; ++j) e[j] = root * source.share[j] * delay[j];
-        for (std::size_t c = 0; c < channels; ++c) {
-            double re = 0.0, im = 0.0;  // plain products: no check for infinities in the inner loop
-            for (std::size_t j = 0; j < 4; ++j) {
-                const Complex t = at[c * 4 + j];
-                re += t.real() * e[j].real() - t.imag() * e[j].imag();
-                im += t.real() * e[j].imag() + t.imag() * e[j].real();
-            }
-            y[c * grid.count + i] = {re, im};
-        }
+        const Dot dot(e);
+        for (std::size_t c = 0; c < channels; ++c) y[c * grid.count + i] = dot(&at[c * 4]);
     }
     return y;
-}
-
-void add_as_it_is(const pem::WheelTransfers& transfers, const pem::DelayedSpectrum& source, const std::vector<double>& wheels, double speed, double bin_hz,
-                  ExpectedSpectra& expected) {
-    const std::size_t bins = expected.bins(), channels = expected.channels;
-    const FineGrid at_bins{bin_hz, expected.first_bin, bins};
-    const std::vector<Complex> y = fine_responses(transfers, source, powers_at_lines(source, at_bins), wheels, speed, at_bins);
-    std::vector<Complex> own(channels);
-    for (std::size_t b = 0; b < bins; ++b) {
-        for (std::size_t c = 0; c < channels; ++c) own[c] = y[c * bins + b];
-        add_outer_product(own, expected.values.data() + b * channels * channels);
-    }
-}
-
-void add_wheels_own(const pem::CaseParameters& parameters, const pem::WheelTransfers& transfers, const pem::DelayedSpectrum& source, const std::vector<double>& wheels, double speed,
-                    double bin_hz, ExpectedSpectra& expected) {
-    for (std::size_t wheel = 0; wheel < 4; ++wheel) {
-        pem::DelayedSpectrum own{.name = "wheels_own", .psd_m2_per_hz = [&](double f) { return parameters.wheels_own.at(f) * source.psd_m2_per_hz(f); }, .share = {}};
-        own.share[wheel] = 1.0;
-        add_as_it_is(transfers, own, wheels, speed, bin_hz, expected);
-    }
 }
 
 pem::WheelTransfers with_what_comes_back(const pem::WheelTransfers& transfers, const pem::FeltOrder& own) {

@@ -35,14 +35,6 @@ MetPowers met_powers(const pem::CaseParameters& parameters, const pem::DelayedSp
 std::vector<std::complex<double>> fine_responses(const pem::WheelTransfers& transfers, const pem::DelayedSpectrum& source,
                                                  const std::vector<double>& power, const std::vector<double>& wheels_m, double speed_m_per_s, const FineGrid& grid);
 
-/// Adds a source so faint that its kernel does not count: what a window's leakage and delays change of it is some per cent of tens of dB below.
-void add_as_it_is(const pem::WheelTransfers& transfers, const pem::DelayedSpectrum& source, const std::vector<double>& wheels_m, double speed_m_per_s,
-                  double bin_hz, ExpectedSpectra& expected);
-
-/// Adds what each wheel meets by itself (CaseParameters::wheels_own) of a source: a local matter at every frequency, without delays.
-void add_wheels_own(const pem::CaseParameters& parameters, const pem::WheelTransfers& transfers, const pem::DelayedSpectrum& source, const std::vector<double>& wheels_m,
-                    double speed_m_per_s, double bin_hz, ExpectedSpectra& expected);
-
 /// The transfers with what comes back at the frequency of the irregularity itself of the forces that supports pass on (the first of pem::felt_orders()).
 pem::WheelTransfers with_what_comes_back(const pem::WheelTransfers& transfers, const pem::FeltOrder& own);
 

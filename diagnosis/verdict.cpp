@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "diagnosis/furthest_number.hpp"
+
 namespace railpem::diagnosis {
 
 namespace {
@@ -154,13 +156,17 @@ double inconstancy(const PlaceStudy& study) {
     return most;
 }
 
-double furthest_number(const FittedSet& set) {
-    double furthest = 0.0;
-    for (std::size_t u = 0; u < set.fit.unknowns.size(); ++u) {
-        const Unknown& unknown = set.fit.unknowns[u];
-        if (unknown.kind == UnknownKind::number) furthest = std::max(furthest, std::abs(set.fit.values[u] - unknown.mean) / unknown.deviation);
-    }
-    return furthest;
+namespace {
+
+/// Whether the levels of a set are near those that were recorded: statistics apart, that is what explaining means. Friction is a law of the level and is left out: linearised, it misses up to 4 dB of what the rest of a suspension lets through.
+bool follows(const FittedSet& set, const PlaceStudy& places, const VerdictThresholds& thresholds) { return names_friction(set) || places.named_level_db <= thresholds.level_db; }
+
+}  // namespace
+
+bool stands_in(const FittedSet& set, const VerdictThresholds& thresholds) {
+    double tolerances = thresholds.number_tolerances;
+    for (const Candidate& member : set.effects) tolerances = std::max(tolerances, find_effect(member.instance.effect)->bends_numbers);
+    return is_too_strong(set) || furthest_number(set) > tolerances;
 }
 
 Decision decide(const NamingResult& naming, const PlaceStudy& places, const VerdictThresholds& thresholds) {
@@ -181,7 +187,7 @@ Decision decide(const NamingResult& naming, const PlaceStudy& places, const Verd
     if (gains && decision.unknown_score < best->score() + thresholds.anonymous &&
         residual_named < nats_left(*best, nothing, thresholds.residual) && !leans(*best, nothing) &&
         places.by_named <= misfit_left(*best, nothing, thresholds.residual) && inconstancy(places) < nats_left(*best, nothing, thresholds.residual) &&
-        furthest_number(*best) <= thresholds.number_tolerances && !(places.friction && is_another(*places.friction))) {
+        !stands_in(*best, thresholds) && follows(*best, places, thresholds) && !(places.friction && is_another(*places.friction))) {
         if (places.friction && is_open(*places.friction)) decision.other_friction = probability_of_another(*places.friction);
         decision.verdict = decision.credible.size() > 1 || decision.other_friction > 0.0 ? Verdict::ambiguous : only_sensors(*best) ? Verdict::recording_fault : Verdict::explained;
     } else if (gains)

@@ -18,6 +18,7 @@ struct PlaceStudy {
     std::optional<FrictionLaw> friction;    ///< of the best set, where it names friction
     double by_retuned = 0.0;                ///< nats that the retuned case misses: missed_by()
     double by_named = 0.0;                  ///< and the best set
+    double named_level_db = 0.0;            ///< and by how much its levels are off: repeated_level_db()
 };
 
 /// What the verdict is made of.
@@ -48,9 +49,8 @@ std::string no_wrong_number(const FittedSet& set, double nothing);
 /// Most nats that speak against one value in all recordings for a parameter of the best set.
 double inconstancy(const PlaceStudy& study);
 
-/// By how many of its tolerances the number of the case ends away from its belief that does so most; those that a set releases count by the tolerance they have then. Evidence weighs a belief by nats,
-/// of which strong effects have a hundred thousand: what explains only with every mass a half too large explains something else.
-double furthest_number(const FittedSet& set);
+/// Another thing than its name stands behind a set: its strength would be beyond its physics by more than its law gets wrong, or a number of the case ends further away than beside any right name.
+bool stands_in(const FittedSet& set, const VerdictThresholds& thresholds);
 
 Decision decide(const NamingResult& naming, const PlaceStudy& places, const VerdictThresholds& thresholds);
 

@@ -95,16 +95,18 @@ void WhitenedColumns::whiten_block(std::size_t first) {
 }
 
 void WhitenedColumns::add_diagonal(std::size_t unknown, std::size_t channel, double power) {
-    std::size_t row = bins_ * channels_ * channels_;
+    // Columns before the channel's own have nothing of it: L⁻¹ is lower triangular.
+    std::size_t row = bins_ * channels_ * channels_ + channel * (2 * channels_ - channel);
     const long u = static_cast<long>(unknown);
-    for (std::size_t j = 0; j < channels_; ++j)
+    for (std::size_t j = channel; j < channels_; ++j) {
+        const double c = inverse_re_[j * channels_ + channel], d = -inverse_im_[j * channels_ + channel];
         for (std::size_t i = j; i < channels_; ++i) {
-            const std::complex<double> a = j < channel ? 0.0 : std::complex(inverse_re_[i * channels_ + channel], inverse_im_[i * channels_ + channel]);
-            const std::complex<double> b = j < channel ? 0.0 : std::complex(inverse_re_[j * channels_ + channel], -inverse_im_[j * channels_ + channel]);
+            const double a = inverse_re_[i * channels_ + channel], b = inverse_im_[i * channels_ + channel];
             const double scale = power * (i == j ? 1.0 : std::numbers::sqrt2);
-            rows_(static_cast<long>(row++), u) += scale * (a.real() * b.real() - a.imag() * b.imag());
-            if (i != j) rows_(static_cast<long>(row++), u) += scale * (a.real() * b.imag() + a.imag() * b.real());
+            rows_(static_cast<long>(row++), u) += scale * (a * c - b * d);
+            if (i != j) rows_(static_cast<long>(row++), u) += scale * (a * d + b * c);
         }
+    }
 }
 
 void WhitenedColumns::pack(const SplitMatrix& hermitian, double* packed) const {

@@ -32,7 +32,7 @@ class WritingUp {
         const Decision& decision = decision_;
         result_.verdict = decision.verdict;
         result_.posterior = posterior_of(naming_, decision);
-        result_.places = place_probabilities(naming_, study_, decision);
+        result_.places = place_probabilities(naming_, study_, decision, thresholds_);
         report_figures(decision);
         report_margins();
         const bool names = decision.named && decision.verdict != Verdict::ambiguous && decision.verdict != Verdict::consistent;
@@ -272,6 +272,8 @@ class WritingUp {
             result_.remains.push_back(fmt::format("the unseen part repeats {:.0f} nats of what the fit misses, more than chance: something of the recordings has no name here", missed));
         if (decision_.named && !study_.at_named.empty() && study_.at_named.front().nats > thresholds_.residual)
             result_.remains.push_back(fmt::format("a free correction of the {} would still bring {:.0f} nats", element_name(study_.at_named.front().element), std::trunc(study_.at_named.front().nats)));
+        if (decision_.verdict == Verdict::unexplained && decision_.named && !names_friction(*decision_.named) && study_.named_level_db > thresholds_.level_db)
+            result_.remains.push_back(fmt::format("third octaves stay off by {:.1f} dB, in the fitted part and in the unseen alike: what is named stands in for something else", study_.named_level_db));
         report_no_wrong_number();
         report_beyond_range();
         const double bearable = decision_.named ? nats_left(*decision_.named, naming_.retuned.score(), thresholds_.residual) : 0.0;

@@ -71,6 +71,7 @@ Json diagnosis_json_of(const TrialOptions& options) {
             {"credible", thresholds.credible},
             {"residual", thresholds.residual},
             {"number_tolerances", thresholds.number_tolerances},
+            {"level_db", thresholds.level_db},
             {"anonymous", thresholds.anonymous},
             {"most_effects", naming.most_effects},
             {"refits", naming.refits},

@@ -83,6 +83,7 @@ struct Effect {
     bool abrupt = false;    ///< in its range it is never slight: screening looks at typical values instead of near nothing
     int most_instances = 1;   ///< of one variant in a set
     bool approximate = false; ///< its law is an approximation (linearised about the level of vibration, or one that nothing in time obeys): part of it stays unexplained
+    double bends_numbers = 0.0;  ///< tolerances by which numbers of the case may end off beside it, furthest_number(): what its law leaves is put down to them; 0: as beside any other
     bool replaces = false;  ///< it takes the place of a law of the case: no derivative at vanishing strength speaks for it
     bool excites = false;   ///< it adds to what excites; how anything responds to it stays as it is, wherever it sits
     bool lines_alone = false;  ///< what it adds are lines, and nothing broadband changes

@@ -41,6 +41,12 @@ TEST(Places, AreNotThoseOfWhatWouldBeStrongerThanItsPhysics) {
     EXPECT_EQ(place_probabilities(given_naming({contact_beyond(1.2)}), study, {}).front().element, Element::pad);
     EXPECT_EQ(place_probabilities(given_naming({contact_beyond(1.05)}), study, {}).front().element, Element::contact);
     EXPECT_EQ(place_probabilities(given_naming({leaning_number(given_set({}, {"contact.constant_m_per_n23"}, 1000.0, 300.0), 10.0)}), study, {}).front().element, Element::pad);
+    FittedSet bent = given_set({"contact-nonlinearity"}, {}, 1000.0, 300.0);  // and another of a contact 2.3 times as soft
+    bent.fit.unknowns = {{.kind = UnknownKind::number, .name = "contact.constant_m_per_n23", .deviation = 0.15}};
+    bent.fit.values = {5.3 * 0.15};
+    EXPECT_EQ(place_probabilities(given_naming({bent}), study, {}).front().element, Element::pad);
+    bent.fit.values = {3.9 * 0.15};
+    EXPECT_EQ(place_probabilities(given_naming({bent}), study, {}).front().element, Element::contact);
     study.anonymous = {given_set({}, {}, 1000.0, 300.0)};  // an unknown as probable as the name
     study.anonymous.front().anonymous = {{.element = Element::rail, .channel = {}}};
     EXPECT_EQ(place_probabilities(given_naming({contact_beyond(1.2)}), study, {.unknown_score = 1000.0}).front().element, Element::rail);
