@@ -118,7 +118,7 @@ class Diagnosing {
         if (naming_.sets.empty()) return true;
         const FittedSet& best = naming_.sets.front();
         const double nothing = naming_.retuned.score(), residual = options_.thresholds.residual;
-        return best.score() <= nothing + options_.thresholds.least_gain || leans(best, nothing) || stands_in(best, options_.thresholds) || study_.by_named > misfit_left(best, nothing, residual) ||
+        return best.score() <= nothing + options_.thresholds.least_gain || leans(best, nothing) || needs_wrong_numbers(best, options_.thresholds) || study_.by_named > misfit_left(best, nothing, residual) ||
                (!study_.at_named.empty() && study_.at_named.front().nats > nats_left(best, nothing, residual));
     }
 

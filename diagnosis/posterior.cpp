@@ -90,7 +90,7 @@ std::vector<PlaceEvidence> place_probabilities(const NamingResult& naming, const
     double unknown = weight_of(decision.unknown_score, best) / sum;
     for (const FittedSet& set : naming.sets) {
         // Where another thing sits, the name of what stands in for it does not say.
-        if (stands_in(set, thresholds)) {
+        if (is_too_strong(set) || needs_wrong_numbers(set, thresholds)) {
             unknown += weight_of(set.score(), best) / sum;
             continue;
         }

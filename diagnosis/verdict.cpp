@@ -163,10 +163,10 @@ bool follows(const FittedSet& set, const PlaceStudy& places, const VerdictThresh
 
 }  // namespace
 
-bool stands_in(const FittedSet& set, const VerdictThresholds& thresholds) {
+bool needs_wrong_numbers(const FittedSet& set, const VerdictThresholds& thresholds) {
     double tolerances = thresholds.number_tolerances;
     for (const Candidate& member : set.effects) tolerances = std::max(tolerances, find_effect(member.instance.effect)->bends_numbers);
-    return is_too_strong(set) || furthest_number(set) > tolerances;
+    return furthest_number(set) > tolerances;
 }
 
 Decision decide(const NamingResult& naming, const PlaceStudy& places, const VerdictThresholds& thresholds) {
@@ -187,7 +187,7 @@ Decision decide(const NamingResult& naming, const PlaceStudy& places, const Verd
     if (gains && decision.unknown_score < best->score() + thresholds.anonymous &&
         residual_named < nats_left(*best, nothing, thresholds.residual) && !leans(*best, nothing) &&
         places.by_named <= misfit_left(*best, nothing, thresholds.residual) && inconstancy(places) < nats_left(*best, nothing, thresholds.residual) &&
-        !stands_in(*best, thresholds) && follows(*best, places, thresholds) && !(places.friction && is_another(*places.friction))) {
+        !needs_wrong_numbers(*best, thresholds) && follows(*best, places, thresholds) && !(places.friction && is_another(*places.friction))) {
         if (places.friction && is_open(*places.friction)) decision.other_friction = probability_of_another(*places.friction);
         decision.verdict = decision.credible.size() > 1 || decision.other_friction > 0.0 ? Verdict::ambiguous : only_sensors(*best) ? Verdict::recording_fault : Verdict::explained;
     } else if (gains)

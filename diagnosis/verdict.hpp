@@ -49,8 +49,8 @@ std::string no_wrong_number(const FittedSet& set, double nothing);
 /// Most nats that speak against one value in all recordings for a parameter of the best set.
 double inconstancy(const PlaceStudy& study);
 
-/// Another thing than its name stands behind a set: its strength would be beyond its physics by more than its law gets wrong, or a number of the case ends further away than beside any right name.
-bool stands_in(const FittedSet& set, const VerdictThresholds& thresholds);
+/// A number of the case ends further away from its belief than beside any right name: another thing stands behind the set.
+bool needs_wrong_numbers(const FittedSet& set, const VerdictThresholds& thresholds);
 
 Decision decide(const NamingResult& naming, const PlaceStudy& places, const VerdictThresholds& thresholds);
 
