@@ -195,6 +195,7 @@ BluntCorrections blunt_corrections(const BelievedCase& believed, const Likelihoo
         sets.push_back(fit_correction(believed, retuned, located[i], blunt, options));
     }
     std::stable_sort(sets.begin(), sets.end(), [](const FittedSet& a, const FittedSet& b) { return a.score() > b.score(); });
+    for (std::size_t i = 1; i < sets.size(); ++i) sets[i].fit.derivatives.reset();  // they may never be asked for, and are a hundred megabytes each
     return {std::move(sets), retuned.score()};
 }
 
@@ -206,7 +207,10 @@ std::vector<FittedSet> sharpened_corrections(const BelievedCase& believed, const
         const bool is_near = own.score() - blunt.nothing >= kNearBest * (blunt.sets.front().score() - blunt.nothing);
         if (sets.size() == kSharpCorrections || !is_near || (!sets.empty() && enough())) break;
         const auto step = [&] { between("free correction of the " + element_name(own.anonymous.front().element) + ", sharpened"); };
-        sets.push_back(sharpened(believed, half_sharpened(believed, own, context, step), context, step, sets.empty() ? nullptr : &sets.front().fit));
+        FittedSet half = half_sharpened(believed, own, context, step);
+        half.fit.derivatives.reset();  // of short windows; those of long ones need the room
+        sets.push_back(sharpened(believed, half, context, step, sets.empty() ? nullptr : &sets.front().fit));
+        sets.back().fit.derivatives.reset();
     }
     return sets;
 }

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kMinor = 0.05;        ///< share of what a single explains: for what is left of that order nothing else is sought in its place. Two may stand in for one (pads that stiffen and a mass on the rail for ballast)
 // Shares of the effort, from which on none of these begins that would not end: the search from afar with the sharp likelihood, after a blunt one or as the first of its kind, and third members.
-constexpr double kSharpFromAfar = 0.7, kFirstFromAfar = 1.2, kThirdMember = 0.8;
+constexpr double kSharpFromAfar = 0.7, kFirstFromAfar = 1.3, kThirdMember = 0.8;
 
 }  // namespace
 
@@ -52,7 +52,7 @@ void Search::search() {
         if (leaves_little()) return;
         if (trials_.leading().members() == 1 && left_over() < kMinor * (trials_.leading().score() - result_.retuned.score())) return;
     }
-    // Where the blunt search has looked for nothing from afar, this is worth more: preloaded pads stood as failed fasteners.
+    // Where the blunt search has looked for nothing from afar, this is worth more: preloaded pads stood as failed fasteners, and, from 1.2 on, as joints and a nonlinear contact.
     if (is_spent(blunt_from_afar_.empty() ? kFirstFromAfar : kSharpFromAfar)) return static_cast<void>(left_over());
     const double before = trials_.leading().score();
     rescue_round();
