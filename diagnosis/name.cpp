@@ -52,7 +52,7 @@ void Search::search() {
         if (leaves_little()) return;
         if (trials_.leading().members() == 1 && left_over() < kMinor * (trials_.leading().score() - result_.retuned.score())) return;
     }
-    // Where the blunt search has looked for nothing from afar, this is worth more: preloaded pads stood as failed fasteners, and, from 1.2 on, as joints and a nonlinear contact.
+    // Where the blunt search has looked for nothing from afar, this is worth more: preloaded pads stood as failed fasteners. How much more, by judgement.
     if (is_spent(blunt_from_afar_.empty() ? kFirstFromAfar : kSharpFromAfar)) return static_cast<void>(left_over());
     const double before = trials_.leading().score();
     rescue_round();
