@@ -9,7 +9,6 @@
 namespace railpem::diagnosis {
 namespace {
 
-
 constexpr double kFaintBin_hz = 0.25, kFaintSpeed_m_per_s = 22.0;
 const std::vector<double> kFaintWheels_m{20.4, 18.0, 2.4, 0.0};
 

@@ -46,15 +46,20 @@ Squares of_draws(double by_db) {
     return mean;
 }
 
-// Half a minute leaves more than a decibel to chance; one draw in two has a product below zero.
+constexpr double kLeftOfChance = 0.25;  ///< of both parts' own errors: bands of a draw are few and err together, and what is below zero counts as zero
+
+// Half a minute leaves more to chance than 0.7 dB in either part.
 TEST(RepeatedLevels, AreNotThoseOfChance) {
     const Squares truth = of_draws(0.0);
     EXPECT_GT(truth.parts, 0.5);
-    EXPECT_LT(truth.repeated, 0.25 * truth.parts);
+    EXPECT_LT(truth.repeated, kLeftOfChance * truth.parts);
 }
 
-// Levels too low by 2 dB are, in the mean over draws: chance adds a fifth of a decibel squared (above) and what twenty-four draws leave of its product with 2 dB.
-TEST(RepeatedLevels, AreThoseThatAreOff) { EXPECT_NEAR(std::sqrt(of_draws(2.0).repeated), 2.0, 0.3); }
+// (2 + e₁)(2 + e₂) + (2 − e₁)(2 − e₂) = 8 + 2e₁e₂: of levels as much too low as too high nothing is left but what chance leaves at the truth.
+TEST(RepeatedLevels, AreThoseThatAreOff) {
+    const Squares low = of_draws(2.0), high = of_draws(-2.0);
+    EXPECT_NEAR(0.5 * (low.repeated + high.repeated), 4.0, kLeftOfChance * of_draws(0.0).parts);
+}
 
 TEST(RepeatedLevels, AreNoneWithoutTimeSeries) { EXPECT_EQ(repeated_level_db({}, {}), 0.0); }
 
