@@ -32,6 +32,7 @@ void Search::run() {
 }
 
 void Search::search() {
+    bool rescued = false;
     say("retuning", 0.0);
     trials_.retune();
     CandidateList list = candidates(believed_, result_.retuned.fit.trial, *context_.observations);
@@ -46,6 +47,8 @@ void Search::search() {
     if (result_.sets.empty()) {
         result_.first_promises = screened(result_.retuned.fit);
         first_round();
+        rescued = misses() && !leaves_little();
+        if (rescued) rescue_round();  // before anything is added to what stands in for it
     }
     further_rounds(2);
     if (!is_doubtful(trials_.leading()) && !is_trifling(trials_.leading())) {
@@ -55,7 +58,7 @@ void Search::search() {
     // Where the blunt search has looked for nothing from afar, this is worth more: preloaded pads stood as failed fasteners. How much more, by judgement.
     if (is_spent(blunt_from_afar_.empty() ? kFirstFromAfar : kSharpFromAfar)) return static_cast<void>(left_over());
     const double before = trials_.leading().score();
-    rescue_round();
+    if (!rescued) rescue_round();
     if (trials_.leading().score() > before + options_.least_gain) further_rounds(2);
     if (const FittedSet* single = trials_.best(1); !is_spent(kSharpFromAfar) && is_doubtful(trials_.leading()) && single != nullptr && !single->effects.empty()) {
         rescue_round(single);

@@ -123,10 +123,7 @@ class Answer:
         return "\n".join(rows)
 
     def outside(self):
-        """The generic case expects lines of sleeper passing at 31 and 62 Hz (blue) that stand out by 10 dB; the records have hardly any. Its irregularity has a seam at 0.4 m, 47 Hz, which
-shows as a step in every model and in no record.
-
-Numbers that retuning moved beyond two tolerances, by kilometre."""
+        """Numbers that retuning moved beyond two tolerances, by kilometre."""
         texts = []
         for name in NAMES:
             moved = [f"`{own['key']}` {own['believed']:.3g} → {own['value']:.3g} {own['unit']}" for own in self.diagnoses[name][0]["retuned_numbers"] if own["outside"]]
