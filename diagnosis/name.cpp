@@ -32,7 +32,6 @@ void Search::run() {
 }
 
 void Search::search() {
-    bool rescued = false;
     say("retuning", 0.0);
     trials_.retune();
     CandidateList list = candidates(believed_, result_.retuned.fit.trial, *context_.observations);
@@ -44,6 +43,7 @@ void Search::search() {
         if (outdone_) return;
         if (trials_.names() && !is_doubtful(trials_.leading()) && leaves_little()) return;
     }
+    bool rescued = false;
     if (result_.sets.empty()) {
         result_.first_promises = screened(result_.retuned.fit);
         first_round();

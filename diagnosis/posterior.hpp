@@ -13,7 +13,8 @@ std::vector<EffectSet> posterior_of(const NamingResult& naming, const Decision& 
 /// That of all sets together which have something.
 double probability_with(const NamingResult& naming, const Decision& decision, const std::function<bool(const FittedSet&)>& has);
 
-/// Places with their probability: those of the sets weighted by their probability, the unknown's by its evidence.
+/// Places with their probability: those of the sets weighted by their probability, the unknown's by its evidence. Where the verdict is `unexplained` the best set shares its own with the place where a free correction beside it
+/// would bring most, by the nats of both.
 std::vector<PlaceEvidence> place_probabilities(const NamingResult& naming, const PlaceStudy& places, const Decision& decision, const VerdictThresholds& thresholds = {});
 
 }  // namespace railpem::diagnosis

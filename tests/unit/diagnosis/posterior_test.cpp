@@ -73,6 +73,24 @@ TEST(Places, OfEqualsTheFirstThatWasFound) {
     EXPECT_EQ(places[3].element, Element::wheel);
 }
 
+// A set that does not stand has its places by what it explains, and what is left beside it the place where a free correction would bring more.
+TEST(Places, AreThoseOfWhatIsLeftWhereThatIsMore) {
+    const NamingResult naming = given_naming({given_set({"pad-preload-stiffening"}, {}, 1000.0, 300.0)});
+    PlaceStudy study;
+    study.at_retuned = {{.element = Element::wheel, .nats = 3000.0}, {.element = Element::pad, .nats = 1200.0}};
+    study.at_named = {{.element = Element::wheel, .nats = 3000.0}};
+    const Decision unexplained{.verdict = Verdict::unexplained};
+    const std::vector<PlaceEvidence> places = place_probabilities(naming, study, unexplained);
+    EXPECT_EQ(places[0].element, Element::wheel);
+    EXPECT_NEAR(places[0].probability, 0.75, 1e-6);
+    EXPECT_EQ(places[1].element, Element::pad);
+    EXPECT_NEAR(places[1].probability, 0.25, 1e-6);
+    study.at_named.front().nats = 500.0;
+    EXPECT_EQ(place_probabilities(naming, study, unexplained).front().element, Element::pad);
+    study.at_named.front().nats = 3000.0;
+    EXPECT_EQ(place_probabilities(naming, study, {.verdict = Verdict::explained}).front().element, Element::pad);  // it stands: the rest is what its law leaves
+}
+
 // What one member explains alone is known of a set that was fitted, though it is no candidate any more.
 TEST(Places, ShareASetByThoseThatWereDropped) {
     NamingResult naming = given_naming({given_set({"sensor-gain", "rail-shear"}, {}, 1000.0, 300.0), given_set({"rail-shear"}, {}, 900.0, -10.0)});
