@@ -224,11 +224,16 @@ std::string place_in_words(const Diagnosis& diagnosis) {
     // A place that the case does not have, ground below rigid supports, has no free correction.
     const PlaceEvidence& named = diagnosis.places.front();
     const auto fewer = [](const PlaceEvidence& a, const PlaceEvidence& b) { return a.nats < b.nats; };
-    const PlaceEvidence& place = named.nats > 0.0 ? named : *std::max_element(diagnosis.places.begin(), diagnosis.places.end(), fewer);
+    const PlaceEvidence& most = *std::max_element(diagnosis.places.begin(), diagnosis.places.end(), fewer);
+    const PlaceEvidence& place = named.nats > 0.0 ? named : most;
     const std::string forces = !place.forces                   ? ""
                                : place.resonance_hz > 0.0       ? fmt::format(", by what each wheel meets by itself, which resonates near {:.0f} Hz: pads have no mass, ground that changes along the line has", place.resonance_hz)
                                : place.element == Element::pad ? ", by what each wheel meets by itself, as of seats that are not alike, a play or ground that changes along the line"
                                                                : ", by forces of its own, as of a stop, a play or a stick, rather than by another stiffness or damping";
+    // A promise is made where the retuned case stands; fits from there may say otherwise.
+    if (most.nats > place.nats)
+        return fmt::format("the most probable place is the {} ({:.0f} nats{}); to the retuned case a free correction of the {} promises more ({:.0f} nats)", element_name(place.element), place.nats, forces,
+                           element_name(most.element), most.nats);
     const std::string first = &place == &named ? "" : fmt::format("as far as it has a name it sits at the {}, and ", element_name(named.element));
     return fmt::format("{}the place where a free correction helps most is the {} ({:.0f} nats{})", first, element_name(place.element), place.nats, forces);
 }

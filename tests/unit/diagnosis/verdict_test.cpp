@@ -306,6 +306,14 @@ TEST(Statement, UnexplainedSaysWhereNoCorrectionReaches) {
     EXPECT_EQ(statement_of(diagnosis), "Something is missing that no known effect explains: as far as it has a name it sits at the support, and the place where a free correction helps most is the pad (11000 nats).");
 }
 
+TEST(Statement, UnexplainedSaysWhereACorrectionPromisesMoreThanAtItsPlace) {
+    Diagnosis diagnosis;
+    diagnosis.verdict = Verdict::unexplained;
+    diagnosis.places = {{.element = Element::wheel, .probability = 1.0, .nats = 2920.0}, {.element = Element::pad, .nats = 46659.0}};
+    EXPECT_EQ(statement_of(diagnosis),
+              "Something is missing that no known effect explains: the most probable place is the wheel (2920 nats); to the retuned case a free correction of the pad promises more (46659 nats).");
+}
+
 TEST(Statement, AmbiguousWithoutANameSaysSo) {
     Diagnosis diagnosis;
     diagnosis.verdict = Verdict::ambiguous;
