@@ -22,8 +22,8 @@ class Effort {
     std::atomic<std::int64_t> nanoseconds_{0};  ///< whole numbers: their sum does not depend on the order
 };
 
-/// One prediction of a recording of `bins` bins for a case with all effects applied, s.
-double effort_of_prediction(const pem::CaseParameters& parameters, std::size_t bins, Reuse reuse);
+/// One prediction of a recording of `bins` bins for a case with all effects applied, s; `sharp`: ExpectationOptions::sharp.
+double effort_of_prediction(const pem::CaseParameters& parameters, std::size_t bins, Reuse reuse, bool sharp = true);
 
 /// One likelihood of `bins` bins, with its slope in `unknowns` (0: without), s.
 double effort_of_likelihood(std::size_t bins, std::size_t unknowns);

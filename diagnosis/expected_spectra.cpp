@@ -83,8 +83,8 @@ TransferGrid transfer_grid(const pem::CaseParameters& parameters, const FineGrid
 std::vector<pem::RailGroup> channel_rails(const pem::CaseParameters& parameters, const pem::CoupledModel& model, const pem::RollingTable& rolling, const TransferGrid& grid,
                                           const ExpectationOptions& options) {
     const bool narrow = !parameters.track.rail_dampers.empty() || !parameters.track.support.bending_modes.empty();
-    if (!narrow && model.rail->has_equal_seats_alone()) return pem::rolling_rails(rolling, model, grid.from_hz, grid.step_hz, grid.lines);
     const int every = static_cast<int>(std::lround(options.transfer_step_hz / grid.step_hz)) * (narrow ? 1 : options.rail_every);
+    if (!narrow && model.rail->equal_seats()) return pem::rolling_rails(rolling, model, grid.from_hz, grid.step_hz, grid.lines, every, options.threads);
     return pem::rail_groups(model, grid.from_hz, grid.step_hz, grid.lines, every, options.threads);
 }
 
@@ -174,7 +174,7 @@ ExpectationCache prepared(const pem::CaseParameters& parameters, double speed, c
     if (has_own_forces(parameters)) add_own_forces(parameters, solved, channels, bin_hz, expected);
     own.friction = model.car.friction;
     own.pads = pem::pad_transfers(parameters, model, same_rail && !known->pads.rail.empty() ? &known->pads : nullptr);
-    own.track = same_rail ? pem::with_other_vehicle(known->track, parameters, model, speed) : pem::track_excitation(parameters, wheels, speed, &model);
+    own.track = same_rail ? pem::with_other_vehicle(known->track, parameters, model, speed, options.sharp) : pem::track_excitation(parameters, wheels, speed, &model, options.sharp);
     own.of_irregularity = own.transfers;
     own.sensors = parameters.sensors;
     if (!model.rail->equal_seats()) return own;

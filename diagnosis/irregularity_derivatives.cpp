@@ -94,7 +94,7 @@ std::vector<Values> irregularity_derivatives(const Trial& trial, const std::vect
     const ExpectationCache& known = predictions.caches[o];
     const ExpectedSpectra& at = predictions.spectra[o];
     const pem::CaseParameters parameters = case_of(trial, *context.believed, observation);
-    if (context.effort) context.effort->add(effort_of_prediction(parameters, observation.bins(), Reuse::nothing));  // all of them together
+    if (context.effort) context.effort->add(effort_of_prediction(parameters, observation.bins(), Reuse::nothing, observation.expectation.sharp));  // all of them together
     const double speed = trial.speed_m_per_s[o];
     const std::vector<double> wheels = vehicle::wheel_positions(parameters.vehicle);
     const pem::Excitation excitation = pem::excitation(parameters, wheels, speed, &known.track);

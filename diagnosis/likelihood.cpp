@@ -20,6 +20,7 @@ namespace {
 
 using Complex = std::complex<double>;
 constexpr std::size_t kBlockBins = 8;   ///< 2 Hz of segments of 4 s
+constexpr std::size_t kBluntEvery = 2;  ///< neighbouring bins of Hann windows share two thirds of what they say
 constexpr std::size_t kChunkBins = 64;  ///< bins summed at a time, so that sums do not depend on the threads
 
 int thread_count(const LikelihoodContext& context) { return pem::thread_count(context.threads); }
@@ -136,7 +137,7 @@ LikelihoodSlope chunk_slope(const Chunk& chunk, const Trial& trial, const std::v
 
 LikelihoodContext blunted(const LikelihoodContext& context, double floor) {
     LikelihoodContext blunt = context;
-    if (context.coarse) blunt.observations = context.coarse;
+    if (context.coarse) blunt.observations = context.coarse, blunt.every = kBluntEvery;
     blunt.least_floor = floor;
     return blunt;
 }
@@ -160,7 +161,7 @@ ExpectedSpectra predict_one(const Trial& trial, const LikelihoodContext& context
                             ExpectationCache* filled) {
     const Observation& observation = (*context.observations)[o];
     const pem::CaseParameters parameters = case_of(trial, *context.believed, observation);
-    if (context.effort) context.effort->add(effort_of_prediction(parameters, observation.scalar ? observation.scalar->values.size() : observation.bins(), reuse));
+    if (context.effort) context.effort->add(effort_of_prediction(parameters, observation.scalar ? observation.scalar->values.size() : observation.bins(), reuse, observation.expectation.sharp));
     if (!observation.scalar) {
         ExpectedSpectra spectra = expected_spectra(parameters, trial.speed_m_per_s[o], observation.kernel, observation.channels, {},
                                                    observation.expectation, known, reuse, filled);

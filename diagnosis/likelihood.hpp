@@ -63,7 +63,7 @@ struct LikelihoodContext {
     Effort* effort = nullptr;  ///< counts what is computed; none: nobody asks
 };
 
-/// The likelihood on the coarse observations, blunted by a relative floor.
+/// The likelihood on every second bin of the coarse observations, blunted by a relative floor.
 LikelihoodContext blunted(const LikelihoodContext& context, double floor);
 
 /// Prediction of one observation, `reuse` from the cache of a similar trial.

@@ -131,21 +131,21 @@ std::array<std::complex<double>, 4> met(const DelayedSpectrum& source, const std
     return own;
 }
 
-TrackExcitation track_excitation(const CaseParameters& parameters, const std::vector<double>& wheels_m, double speed_m_per_s, const CoupledModel* model) {
+TrackExcitation track_excitation(const CaseParameters& parameters, const std::vector<double>& wheels_m, double speed_m_per_s, const CoupledModel* model, bool fed_back) {
     TrackExcitation track{.deflection = passing_lines(parameters, wheels_m, speed_m_per_s, model ? model->rail->constant_loads() : nullptr), .passing = {}, .failed = failed_fastener_amplitudes(parameters, wheels_m, speed_m_per_s),
                           .wheel_load_n = wheel_load_n(parameters), .amplitude_factor = own_passing(parameters)};
     track.passing = track.deflection;
     if (excess_passing(parameters) > 0.0) track.excess = unit_excess_lines(parameters, wheels_m, speed_m_per_s);
-    if (model && parameters.track.failed_fasteners.empty())
+    if (model && fed_back && parameters.track.failed_fasteners.empty())
         for (auto* lines : {&track.passing, &track.excess}) feed_back(parameters, *model, speed_m_per_s, *lines);
     return track;
 }
 
-TrackExcitation with_other_vehicle(const TrackExcitation& known, const CaseParameters& parameters, const CoupledModel& model, double speed_m_per_s) {
+TrackExcitation with_other_vehicle(const TrackExcitation& known, const CaseParameters& parameters, const CoupledModel& model, double speed_m_per_s, bool fed_back) {
     TrackExcitation own = rescaled(known, parameters);
     own.passing = own.deflection;
     if (excess_passing(parameters) > 0.0) own.excess = unit_excess_lines(parameters, model.wheels_m, speed_m_per_s);
-    if (parameters.track.failed_fasteners.empty())
+    if (fed_back && parameters.track.failed_fasteners.empty())
         for (auto* lines : {&own.passing, &own.excess}) feed_back(parameters, model, speed_m_per_s, *lines);
     return own;
 }

@@ -67,11 +67,11 @@ struct TrackExcitation {
     double wheel_load_n = 0.0;                     ///< under which they were computed
     double amplitude_factor = 0.0;                 ///< own_passing() of then
 };
-/// `model`: of the case at this speed; with it the lines of passing sleepers have what their own forces do (passing_feedback.hpp).
-TrackExcitation track_excitation(const CaseParameters& parameters, const std::vector<double>& wheels_m, double speed_m_per_s, const CoupledModel* model = nullptr);
+/// `model`: of the case at this speed; with it the lines of passing sleepers have what their own forces do (passing_feedback.hpp), unless `fed_back` is false.
+TrackExcitation track_excitation(const CaseParameters& parameters, const std::vector<double>& wheels_m, double speed_m_per_s, const CoupledModel* model = nullptr, bool fed_back = true);
 
 /// The same under another vehicle, whose forces it feels: of the track and speed of `known`, which does not stiffen under load.
-TrackExcitation with_other_vehicle(const TrackExcitation& known, const CaseParameters& parameters, const CoupledModel& model, double speed_m_per_s);
+TrackExcitation with_other_vehicle(const TrackExcitation& known, const CaseParameters& parameters, const CoupledModel& model, double speed_m_per_s, bool fed_back = true);
 
 /// The same for another load and amplitude factor. The track must be the same and not stiffen under load; throws nothing.
 TrackExcitation rescaled(const TrackExcitation& known, const CaseParameters& parameters);

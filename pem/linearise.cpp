@@ -182,7 +182,7 @@ VelocitySpectra velocity_spectra(const CaseParameters& parameters, const std::ve
 std::vector<RailGroup> linearisation_rails(const CaseParameters& parameters, const CoupledModel& model, const RollingTable& rolling) {
     constexpr int kEvery = 4;
     const auto [count, step] = lines_of(parameters.frequency);
-    if (!rolling.at.empty() && model.rail->has_equal_seats_alone()) return rolling_rails(rolling, model, parameters.frequency.from_hz, step, static_cast<std::size_t>(count));
+    if (!rolling.at.empty()) return rolling_rails(rolling, model, parameters.frequency.from_hz, step, static_cast<std::size_t>(count), kEvery);
     return rail_groups(model, parameters.frequency.from_hz, step, static_cast<std::size_t>(count), kEvery, 1);
 }
 

@@ -22,7 +22,7 @@ bool is_nonlinear(const CaseParameters& parameters);
 Linearisation linearise(const CaseParameters& parameters, const std::vector<Source>& sources, CoupledModel& model,
                         const std::vector<RailGroup>* rails = nullptr);
 
-/// The rail on the lines of linearise(), interpolated (rail_groups(), or rolling_rails() of `rolling` where all seats are equal): for cases that differ in vehicle or excitation only.
+/// The rail on the lines of linearise(), interpolated (rail_groups(), or rolling_rails() of `rolling` where wheels are in motion): for cases that differ in vehicle or excitation only.
 std::vector<RailGroup> linearisation_rails(const CaseParameters& parameters, const CoupledModel& model, const RollingTable& rolling = {});
 
 /// Cross-spectra of the velocities across the elements of a stage (primary or secondary) of a linearised model, on the lines that

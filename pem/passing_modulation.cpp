@@ -118,7 +118,7 @@ ModulationTransfers modulation_transfers(const CaseParameters& parameters, const
     std::vector<std::size_t> responses;
     for (const char* wheel : {"contact_1", "contact_2", "contact_3", "contact_4"}) responses.push_back(response_index(wheel));
     if (known) transfers.rails = known->rails;
-    else transfers.rails = model.rail->has_equal_seats_alone() ? rolling_rails(transfers.rolling, model, step, step, lines) : rail_groups(model, step, step, lines, 1, 1);
+    else transfers.rails = rolling_rails(transfers.rolling, model, step, step, lines);
     const WheelTransfers solved = wheel_transfers(model, step, step, lines, responses, 1, &transfers.rails);
     const track::PadParameters& pads = parameters.track.pads;
     const double pad_n_per_m = pads.dynamic_to_static_ratio * pads.static_stiffness_n_per_m;

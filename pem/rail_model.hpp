@@ -29,8 +29,8 @@ class RailModel {
     virtual std::unique_ptr<RailEvaluator> evaluator() const = 0;
     /// Those of a rail in motion, otherwise nothing.
     virtual const EqualSeats* equal_seats() const { return nullptr; }
-    /// Nothing differs from them.
-    virtual bool has_equal_seats_alone() const { return false; }
+    /// What other seats than those add to the receptances; nothing where none differs.
+    virtual const RailModel* beside_equal_seats() const { return nullptr; }
     /// What every pad goes through while constant loads roll past, where the rail had to know it: load stiffens the pads, all fasteners are sound.
     virtual const track::PadHistory* constant_loads() const { return nullptr; }
 };

@@ -13,16 +13,38 @@ namespace railpem::pem {
 
 namespace {
 
-/// Two rails of which the difference counts: what stands in the place of the equal seats, and those, in the mean over the same positions of the wheels.
-struct SeatsThatDiffer {
-    std::unique_ptr<RailModel> own, equal;
+/// What stands in the place of the equal seats less those, in the mean over the same positions of the wheels.
+class DifferenceEvaluator : public RailEvaluator {
+  public:
+    DifferenceEvaluator(const RailModel& own, const RailModel& equal) : own_(own.evaluator()), equal_(equal.evaluator()) {}
+
+    const track::RailReceptance& at(lanes::Real omega) override {
+        result_ = own_->at(omega);
+        const track::RailReceptance& without = equal_->at(omega);
+        for (std::size_t pair = 0; pair < result_.between.size(); ++pair) result_.between[pair] -= without.between[pair];
+        for (std::size_t wheel = 0; wheel < result_.trackbed.size(); ++wheel) result_.trackbed[wheel] -= without.trackbed[wheel];
+        return result_;
+    }
+
+  private:
+    std::unique_ptr<RailEvaluator> own_, equal_;
+    track::RailReceptance result_;
+};
+
+class SeatsThatDiffer : public RailModel {
+  public:
+    SeatsThatDiffer(std::unique_ptr<RailModel> own, std::unique_ptr<RailModel> equal) : own_(std::move(own)), equal_(std::move(equal)) {}
+    std::unique_ptr<RailEvaluator> evaluator() const override { return std::make_unique<DifferenceEvaluator>(*own_, *equal_); }
+
+  private:
+    std::unique_ptr<RailModel> own_, equal_;
 };
 
 struct Rolling {
     EqualSeats equal;
     std::vector<double> wheels_m;
     double speed_m_per_s;
-    SeatsThatDiffer seats;
+    std::unique_ptr<RailModel> others;  ///< SeatsThatDiffer, or none
     std::optional<track::PadHistory> constant_loads;
 };
 
@@ -32,8 +54,7 @@ class RollingEvaluator : public RailEvaluator {
         const std::size_t wheels = rolling.wheels_m.size();
         result_.between.resize(wheels * wheels);
         result_.trackbed.resize(wheels);
-        if (rolling.seats.own) own_ = rolling.seats.own->evaluator();
-        if (rolling.seats.equal) equal_ = rolling.seats.equal->evaluator();
+        if (rolling.others) others_ = rolling.others->evaluator();
     }
 
     const track::RailReceptance& at(lanes::Real omega) override {
@@ -47,17 +68,17 @@ class RollingEvaluator : public RailEvaluator {
         }
         const lanes::Complex trackbed = track::rolling_trackbed(rolling_.equal.track, rolling_.equal.pad_stiffness_n_per_m, omega);
         for (lanes::Complex& own : result_.trackbed) own = trackbed;
-        if (own_ && equal_) {
-            const track::RailReceptance &with = own_->at(omega), &without = equal_->at(omega);
-            for (std::size_t pair = 0; pair < result_.between.size(); ++pair) result_.between[pair] += with.between[pair] - without.between[pair];
-            for (std::size_t wheel = 0; wheel < result_.trackbed.size(); ++wheel) result_.trackbed[wheel] += with.trackbed[wheel] - without.trackbed[wheel];
+        if (others_) {
+            const track::RailReceptance& beside = others_->at(omega);
+            for (std::size_t pair = 0; pair < result_.between.size(); ++pair) result_.between[pair] += beside.between[pair];
+            for (std::size_t wheel = 0; wheel < result_.trackbed.size(); ++wheel) result_.trackbed[wheel] += beside.trackbed[wheel];
         }
         return result_;
     }
 
   private:
     const Rolling& rolling_;
-    std::unique_ptr<RailEvaluator> own_, equal_;
+    std::unique_ptr<RailEvaluator> others_;
     track::RailReceptance result_;
 };
 
@@ -66,7 +87,7 @@ class RollingModel : public RailModel {
     explicit RollingModel(Rolling rolling) : rolling_(std::move(rolling)) {}
     std::unique_ptr<RailEvaluator> evaluator() const override { return std::make_unique<RollingEvaluator>(rolling_); }
     const EqualSeats* equal_seats() const override { return &rolling_.equal; }
-    bool has_equal_seats_alone() const override { return !rolling_.seats.own; }
+    const RailModel* beside_equal_seats() const override { return rolling_.others.get(); }
     const track::PadHistory* constant_loads() const override { return rolling_.constant_loads ? &*rolling_.constant_loads : nullptr; }
 
   private:
@@ -176,8 +197,8 @@ std::unique_ptr<RailModel> rolling_rail(const CaseParameters& parameters, const 
     std::vector<track::ExactRail> rails = rails_at(places, mean, wheels_m, rolling ? &*rolling : nullptr);
     if (!parameters.track.failed_fasteners.empty()) rolling.reset();
     const double pad = stiffness_under_points(rails.front());
-    SeatsThatDiffer seats{exact_rails(std::move(rails)), on_equal_seats(places, mean.track, wheels_m, pad)};
-    return std::make_unique<RollingModel>(Rolling{{mean.track, pad}, wheels_m, speed_m_per_s, std::move(seats), std::move(rolling)});
+    auto others = std::make_unique<SeatsThatDiffer>(exact_rails(std::move(rails)), on_equal_seats(places, mean.track, wheels_m, pad));
+    return std::make_unique<RollingModel>(Rolling{{mean.track, pad}, wheels_m, speed_m_per_s, std::move(others), std::move(rolling)});
 }
 
 std::unique_ptr<RailModel> rolling_rail(const CaseParameters& parameters, const std::vector<double>& wheels_m, double speed_m_per_s, std::unique_ptr<RailModel> standing) {
@@ -185,8 +206,8 @@ std::unique_ptr<RailModel> rolling_rail(const CaseParameters& parameters, const 
     const double pad = stiffness_under_points(track::exact_rail(parameters.track, wheels_m, equal));
     equal.unloaded_dynamic_stiffness_n_per_m = pad;
     equal.dynamic_stiffness_n_per_m.assign(equal.position_m.size(), pad);
-    SeatsThatDiffer seats{std::move(standing), exact_rails({track::exact_rail(parameters.track, wheels_m, equal)})};
-    return std::make_unique<RollingModel>(Rolling{{parameters.track, pad}, wheels_m, speed_m_per_s, std::move(seats), {}});
+    auto others = std::make_unique<SeatsThatDiffer>(std::move(standing), exact_rails({track::exact_rail(parameters.track, wheels_m, equal)}));
+    return std::make_unique<RollingModel>(Rolling{{parameters.track, pad}, wheels_m, speed_m_per_s, std::move(others), {}});
 }
 
 }  // namespace railpem::pem

@@ -5,6 +5,7 @@
 
 #include "pem/angular_frequency.hpp"
 #include "pem/lagrange.hpp"
+#include "pem/wheel_transfers.hpp"
 #include "track/pad_law.hpp"
 
 namespace railpem::pem {
@@ -82,7 +83,22 @@ std::array<Phasor, 16> rolling_at(const RollingTable& table, int order, double f
     return result;
 }
 
-std::vector<RailGroup> rolling_rails(const RollingTable& table, const CoupledModel& model, double from_hz, double step_hz, std::size_t lines) {
+namespace {
+
+void add_others(const CoupledModel& model, const RailModel& others, double from_hz, double step_hz, std::size_t lines, int every, int threads, std::vector<RailGroup>& rails) {
+    CoupledModel alone = model;
+    alone.rail = std::shared_ptr<const RailModel>(model.rail, &others);
+    const std::vector<RailGroup> added = rail_groups(alone, from_hz, step_hz, lines, every, threads);
+    for (std::size_t group = 0; group < rails.size(); ++group)
+        for (std::size_t i = 0; i < 4; ++i) {
+            for (std::size_t j = 0; j < 4; ++j) rails[group].rail[i][j] += added[group].rail[i][j];
+            rails[group].trackbed[i] += added[group].trackbed[i];
+        }
+}
+
+}  // namespace
+
+std::vector<RailGroup> rolling_rails(const RollingTable& table, const CoupledModel& model, double from_hz, double step_hz, std::size_t lines, int every, int threads) {
     const EqualSeats& seats = *model.rail->equal_seats();
     std::vector<RailGroup> rails((lines + lanes::width - 1) / lanes::width);
     for (std::size_t group = 0; group < rails.size(); ++group) {
@@ -95,6 +111,7 @@ std::vector<RailGroup> rolling_rails(const RollingTable& table, const CoupledMod
         }
         own.trackbed.fill(track::rolling_trackbed(seats.track, seats.pad_stiffness_n_per_m, own.omega));
     }
+    if (const RailModel* others = model.rail->beside_equal_seats()) add_others(model, *others, from_hz, step_hz, lines, every, threads, rails);
     return rails;
 }
 

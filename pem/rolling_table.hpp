@@ -24,7 +24,7 @@ RollingTable rolling_table(const CoupledModel& model, double speed_m_per_s, doub
 /// R_m at a frequency of either sign, [felt at·4 + force at], m/N; six-point Lagrange. Zero beyond the orders of the table.
 std::array<std::complex<double>, 16> rolling_at(const RollingTable& table, int order, double frequency_hz);
 
-/// The rail on the grid from_hz + i·step_hz, as rail_groups() has it, of a `model` in motion over equal seats alone.
-std::vector<RailGroup> rolling_rails(const RollingTable& table, const CoupledModel& model, double from_hz, double step_hz, std::size_t lines);
+/// The rail on the grid from_hz + i·step_hz, as rail_groups() has it, of a `model` in motion. What seats add that are not equal is solved at `every` few lines and interpolated, as by rail_groups().
+std::vector<RailGroup> rolling_rails(const RollingTable& table, const CoupledModel& model, double from_hz, double step_hz, std::size_t lines, int every = 1, int threads = 1);
 
 }  // namespace railpem::pem

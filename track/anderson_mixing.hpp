@@ -16,11 +16,13 @@ class AndersonMixing {
         Eigen::VectorXd step = r;
         if (last_r_.size() == r.size()) {
             const long column = count_++ % depth_;
-            if (count_ <= depth_) points_.conservativeResize(r.size(), count_), residuals_.conservativeResize(r.size(), count_);
-            points_.col(column) = x - last_x_;
+            if (count_ <= depth_) steps_.conservativeResize(r.size(), count_), residuals_.conservativeResize(r.size(), count_), products_.conservativeResize(count_, count_);
             residuals_.col(column) = r - last_r_;
-            const Eigen::VectorXd share = (residuals_.transpose() * residuals_).ldlt().solve(residuals_.transpose() * r);
-            if (share.allFinite()) step -= (points_ + residuals_) * share;
+            steps_.col(column) = x - last_x_ + residuals_.col(column);
+            products_.col(column).noalias() = residuals_.transpose() * residuals_.col(column);
+            products_.row(column) = products_.col(column).transpose();
+            const Eigen::VectorXd share = products_.ldlt().solve(residuals_.transpose() * r);
+            if (share.allFinite()) step.noalias() -= steps_ * share;
         }
         last_x_ = x;
         last_r_ = r;
@@ -29,7 +31,8 @@ class AndersonMixing {
 
   private:
     long depth_;
-    Eigen::MatrixXd points_, residuals_;  ///< differences from step to step
+    Eigen::MatrixXd residuals_, steps_;  ///< differences of r from step to step, and of x + r
+    Eigen::MatrixXd products_;           ///< residuals_ᵀ·residuals_
     Eigen::VectorXd last_x_, last_r_;
     long count_ = 0;
 };

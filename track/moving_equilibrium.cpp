@@ -21,7 +21,7 @@ double PassingChange::at(double position_m) const {
 
 PassingChange passing_change(const TrackParameters& track, const std::vector<double>& wheels_m, double wheel_load_n, const PadHistory& rolling) {
     PassingChange change;
-    const PadHistory standing = pad_history(track, wheels_m, wheel_load_n, 0.0, true);
+    const PadHistory standing = pad_history(track, wheels_m, wheel_load_n, 0.0, true, {}, &rolling);
     const TrackParameters passing = passing_track(track, wheel_load_n);
     const PadCurve curve = pad_curve(passing.pads);
     const double rest = unloaded_seat(seat_law(passing), rest_load_n(passing)).compression_m;

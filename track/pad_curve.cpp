@@ -186,6 +186,14 @@ double pad_force(const PadCurve& curve, double compression_m) {
     return measured_value(curve, compression_m).force_n;
 }
 
+double pad_force(const PadCurve& curve, double compression_m, std::size_t& piece) {
+    if (curve.pieces.empty() || compression_m <= curve.free_compression_m || compression_m > curve.limit_compression_m) return pad_force(curve, compression_m);
+    piece = std::min(piece, curve.pieces.size() - 1);
+    while (piece > 0 && compression_m < curve.pieces[piece].from_m) --piece;
+    while (piece + 1 < curve.pieces.size() && compression_m >= curve.pieces[piece + 1].from_m) ++piece;
+    return piece_value(curve.pieces[piece], compression_m).force_n;
+}
+
 double pad_stiffness(const PadCurve& curve, double compression_m) {
     if (compression_m <= curve.free_compression_m) return 0.0;
     if (compression_m > curve.limit_compression_m) return curve.limit_stiffness_n_per_m;

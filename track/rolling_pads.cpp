@@ -30,6 +30,7 @@ constexpr double kBeyond = 3.0;        ///< times the load that could come on on
 constexpr double kSoftest = 1e-2;      ///< of K_secant: s > 1 takes all stiffness away from pads that carry little
 constexpr int kStepsPerBay = 12;      ///< three per wave of the fourth order
 constexpr double kRun_m = 40.0;        ///< before and behind the outermost wheels
+constexpr double kStandingRun_m = 12.0;  ///< of a single load at rest, which sends no waves: soft pads let the rail sink to 1/e in 1.5 m
 constexpr int kAliases = 8;            ///< terms of Σ_m on each side; they fall with m⁻⁴
 constexpr double kSoftBed_n_per_m2 = 1.0;  ///< under the standing rail, where D(0) would vanish; 1e-8 of what the pads give
 constexpr double kSettled_hz = 0.5;
@@ -44,11 +45,11 @@ struct Grid {
     std::size_t wavenumbers() const { return size / 2 + 1; }
 };
 
-Grid grid_of(const TrackParameters& track, const std::vector<double>& wheels_m) {
+Grid grid_of(const TrackParameters& track, const std::vector<double>& wheels_m, double run_m) {
     double farthest = 0.0;
     for (const double wheel : wheels_m) farthest = std::max(farthest, std::abs(wheel));
     Grid grid{.step_m = track.spacing_m / kStepsPerBay};
-    while (static_cast<double>(grid.size) * grid.step_m < 2.0 * (farthest + kRun_m)) grid.size *= 2;
+    while (static_cast<double>(grid.size) * grid.step_m < 2.0 * (farthest + run_m)) grid.size *= 2;
     return grid;
 }
 
@@ -146,9 +147,10 @@ class ElasticLaw {
         first_slope_ = pad_stiffness(curve_, std::nextafter(curve_.free_compression_m, 1.0));
     }
     double reference() const { return reference_; }
-    double remainder(double x) const {
+    /// `piece`: of the curve, where the last one was.
+    double remainder(double x, std::size_t& piece) const {
         const double below = curve_.free_compression_m - rest_m_ - x;
-        const double force = below > 0.0 ? -below * first_slope_ : pad_force(curve_, rest_m_ + x);
+        const double force = below > 0.0 ? -below * first_slope_ : pad_force(curve_, rest_m_ + x, piece);
         return force - rest_n_ - reference_ * x;
     }
 
@@ -157,17 +159,18 @@ class ElasticLaw {
     double rest_m_ = 0.0, rest_n_ = 0.0, reference_ = 0.0, first_slope_ = 0.0;
 };
 
-/// x̂ = (load − carried·g·N̂)/pad and N = E(x) − E_rest − K·x, in turn; returns N̂ and leaves x in the history.
+/// x̂ = (load − carried·g·N̂)/pad and N = E(x) − E_rest − K·x, in turn, from the history's x on; returns N̂ and leaves x in the history.
 std::vector<Phasor> settle(const Equation& equation, const std::vector<Phasor>& pad, const ElasticLaw& law, double largest_load, PadHistory& history) {
     Eigen::FFT<double> transform;
     transform.SetFlag(Eigen::FFT<double>::HalfSpectrum);
     const long size = static_cast<long>(history.compression_m.size());
-    Eigen::VectorXd x = Eigen::VectorXd::Zero(size);
+    Eigen::VectorXd x = Eigen::Map<const Eigen::VectorXd>(history.compression_m.data(), size);
     std::vector<double> own(history.compression_m.size());
     std::vector<Phasor> remainder(pad.size()), moved(pad.size());
     AndersonMixing mixing;
     for (int iteration = 0; iteration < kMostIterations; ++iteration) {
-        for (long i = 0; i < size; ++i) own[static_cast<std::size_t>(i)] = law.remainder(x(i));
+        std::size_t piece = 0;
+        for (long i = 0; i < size; ++i) own[static_cast<std::size_t>(i)] = law.remainder(x(i), piece);
         transform.fwd(remainder, own);
         for (std::size_t n = 0; n < pad.size(); ++n) moved[n] = (equation.load[n] - equation.carried[n] * equation.shape[n] * remainder[n]) / pad[n];
         transform.inv(own, moved);
@@ -209,9 +212,9 @@ TrackParameters passing_track(const TrackParameters& track, double wheel_load_n)
 }
 
 PadHistory pad_history(const TrackParameters& track, const std::vector<double>& wheels_m, double wheel_load_n, double speed_m_per_s, bool standing,
-                       const std::vector<Phasor>& swelling_n) {
+                       const std::vector<Phasor>& swelling_n, const PadHistory* near) {
     assert(speed_m_per_s > 0.0 || standing);
-    const Grid grid = grid_of(track, wheels_m);
+    const Grid grid = grid_of(track, wheels_m, standing && wheels_m.size() == 1 ? kStandingRun_m : kRun_m);
     const Equation equation = equation_of(track, wheels_m, wheel_load_n, speed_m_per_s, standing, grid, swelling_n);
     PadHistory history{.first_m = grid.first_m(), .step_m = grid.step_m, .compression_m = {}, .force_n_m = {}, .wavenumber_step_per_m = grid.wavenumber_step()};
     const bool linear = track.pads.preload_strength == 0.0;
@@ -220,7 +223,7 @@ PadHistory pad_history(const TrackParameters& track, const std::vector<double>& 
     std::vector<Phasor> pad(equation.load.size()), remainder;
     for (std::size_t n = 0; n < pad.size(); ++n) pad[n] = equation.free[n] + equation.carried[n] * (equation.shape[n] * reference + equation.dashpot[n]);
     if (!linear) {
-        history.compression_m.assign(grid.size, 0.0);
+        history.compression_m = near && near->compression_m.size() == grid.size && near->step_m == grid.step_m ? near->compression_m : std::vector<double>(grid.size, 0.0);
         remainder = settle(equation, pad, *law, wheel_load_n, history);
     }
     for (std::size_t n = 0; n < pad.size(); ++n) {
@@ -268,8 +271,10 @@ LoadedDeflection loaded_deflection(const TrackParameters& track, double wheel_lo
     constexpr double kShare = 0.1;  // of the load, either way
     const double step = kShare * wheel_load_n;
     std::array<double, 3> w;
+    PadHistory history;
     for (int i = 0; i < 3; ++i) {
-        const PadHistory history = pad_history(track, {0.0}, wheel_load_n + (i - 1) * step, 0.0, true);
+        const PadHistory less = std::move(history);
+        history = pad_history(track, {0.0}, wheel_load_n + (i - 1) * step, 0.0, true, {}, &less);
         w[static_cast<std::size_t>(i)] = history.compression_m[history.compression_m.size() / 2];  // s = 0: the wheel over the pad
     }
     return {(w[2] - w[0]) / (2.0 * step), (w[2] - 2.0 * w[1] + w[0]) / (step * step)};

@@ -30,9 +30,10 @@ struct PadHistory {
 /// R the receptance below the pad. The nonlinear part goes to and fro between s and κ until it stands to 1e-10. `standing`: v = 0, g = 1, without
 /// loss and inertia. Pads do not lift: below zero force the tangent of E goes on. Failed fasteners are not seen. Throws parameters::ParameterError where the
 /// iteration finds no end. `swelling`: complex peaks F_i of loads Re(F_i·e^{2πi·vt/L}) beside the constant ones, which swell alike over every pad, so that all still go
-/// through the same; the load's transform is then ½F·e^{−i(2π/L − κ)a}/D(2π/L − κ, ω) and the like of its conjugate.
+/// through the same; the load's transform is then ½F·e^{−i(2π/L − κ)a}/D(2π/L − κ, ω) and the like of its conjugate. `near`: a history of the same grid (wheels and spacing), from whose
+/// compressions the iteration starts.
 PadHistory pad_history(const TrackParameters& track, const std::vector<double>& wheels_m, double wheel_load_n, double speed_m_per_s, bool standing = false,
-                       const std::vector<std::complex<double>>& swelling_n = {});
+                       const std::vector<std::complex<double>>& swelling_n = {}, const PadHistory* near = nullptr);
 
 /// Deflection of the rail under each wheel, positive downwards: the coefficients of e^{i·2πm·vt/L}, m = 1 to `orders`, [(m − 1)·wheels + wheel], t = 0 where x = 0
 /// stands over a seat. `history` of the same track, wheels and speed.

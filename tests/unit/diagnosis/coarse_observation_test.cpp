@@ -79,14 +79,39 @@ TEST(CoarseObservation, HearsWhatDifferingSeatsPassOn) {
     }
 }
 
+// What screening looks at is the difference that next to no preload makes: a rail that came from elsewhere than that of equal seats (from its lines instead of the table, 1e-5 apart) drowned it, and preloaded pads promised
+// nothing where they were all there was.
+TEST(CoarseObservation, PadsThatLoadHardlyStiffensAreNextToEqualOnes) {
+    const Observation coarse = *observed_noise(believed_file("cases/wei2016/case1.toml")).coarse;
+    const auto spectra = [&](double strength) {
+        pem::CaseParameters c = believed_file("cases/wei2016/case1.toml").numbers;
+        c.solver.moving = true;
+        c.track.pads.preload_strength = strength;
+        return expected_spectra(c, coarse.speed_m_per_s, coarse.kernel, coarse.channels, {}, coarse.expectation);
+    };
+    constexpr double kProbed = 1e-6, kLinear = 0.01;  // of the difference: pads settle to 1e-10 of the load
+    const ExpectedSpectra nothing = spectra(0.0), once = spectra(kProbed), twice = spectra(2.0 * kProbed);
+    double size = 0.0, off = 0.0;
+    for (std::size_t bin = 0; bin < nothing.bins(); ++bin)
+        for (long c = 0; c < 2; ++c) {
+            const double power = nothing.matrix(bin)(c, c).real(), first = (once.matrix(bin)(c, c).real() - power) / power, second = (twice.matrix(bin)(c, c).real() - power) / power;
+            size += first * first;
+            off += (second - 2.0 * first) * (second - 2.0 * first);
+        }
+    EXPECT_GT(size, 0.0);
+    EXPECT_LT(std::sqrt(off), kLinear * std::sqrt(size));
+}
+
 TEST(CoarseObservation, IsWhatABluntLikelihoodIsAskedAbout) {
     const BelievedCase believed = believed_file("cases/wei2016/case1.toml");
     const std::vector<Observation> fine{observed_noise(believed)}, coarse = coarse_observations(fine);
     const LikelihoodContext context{.believed = &believed, .observations = &fine, .coarse = &coarse};
     EXPECT_EQ(blunted(context, 0.1).observations, &coarse);
     EXPECT_EQ(blunted(context, 0.1).least_floor, 0.1);
+    EXPECT_EQ(blunted(context, 0.1).every, 2);
     const LikelihoodContext alone{.believed = &believed, .observations = &fine};
     EXPECT_EQ(blunted(alone, 0.1).observations, &fine);
+    EXPECT_EQ(blunted(alone, 0.1).every, 1);
 }
 
 }  // namespace
