@@ -259,6 +259,19 @@ TEST(Decide, NamesNothingThatNeedsWrongNumbers) {
         }
 }
 
+// Preload on the end of its range, with numbers that were far off, stood beside a play of the fastenings that explained more.
+TEST(Decide, NamesNothingBesideAnUnknownThatCannotBe) {
+    const auto named = [](const FittedSet& set) {
+        PlaceStudy study{.named_stands = true};
+        study.anonymous = {given_set({}, {}, 1150.0, 300.0)};
+        return decide(given_naming({set}), study, thresholds).named != nullptr;
+    };
+    const FittedSet right = given_set({"rail-shear"}, {}, 1000.0, 300.0);
+    EXPECT_TRUE(named(right));
+    EXPECT_FALSE(named(bent(right, 5.3)));
+    EXPECT_FALSE(named(leaning_set(given_set({"body-bending"}, {}, 1000.0, 300.0), 25.0)));
+}
+
 // The most that right names left in full runs was 1.3 dB, fasteners in the place of a play left 1.6 and more. Friction is linearised about a level, and right with 3.6 dB.
 TEST(Decide, NamesNothingThatLeavesLevelsOff) {
     const auto verdict_of = [](const char* effect, double level_db) {
