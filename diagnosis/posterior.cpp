@@ -79,6 +79,13 @@ double share_beside(const FittedSet& set, const NamingResult& naming, const Plac
     return left / (left + std::max(1.0, set.score() - naming.retuned.score()));
 }
 
+/// Where what is left sits beside members at `named`. Rigid ground has no free correction, pads answer for it: beside ground that gives way what is left at the pads is the ground's, too (ground that changes along the line
+/// leaves 68 % there).
+Element beside_place(Element left, const std::vector<Element>& named) {
+    const bool grounds = left == Element::pad && std::find(named.begin(), named.end(), Element::support) != named.end() && std::find(named.begin(), named.end(), Element::pad) == named.end();
+    return grounds ? Element::support : left;
+}
+
 /// Of equal places that have a name the one that was found first, it led to the others; of those without one where a free correction helps more.
 bool goes_before(const PlaceEvidence& a, const PlaceEvidence& b) {
     constexpr double kNothing = 1e-9;
@@ -107,7 +114,7 @@ std::vector<PlaceEvidence> place_probabilities(const NamingResult& naming, const
         const double beside = share_beside(set, naming, places, decision), probability = weight_of(set.score(), best) / sum;
         const auto add = [&](Element element, double share) { found[element].element = element, found[element].probability += probability * share; };
         for (std::size_t i = 0; i < elements.size(); ++i) add(elements[i], (1.0 - beside) * shares[i]);
-        if (beside > 0.0) add(places.at_named.front().element, beside);
+        if (beside > 0.0) add(beside_place(places.at_named.front().element, elements), beside);
     }
     // What has no name sits where a free correction helps most.
     double highest = -1e300, shares = 0.0;

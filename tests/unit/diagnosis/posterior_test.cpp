@@ -91,6 +91,17 @@ TEST(Places, AreThoseOfWhatIsLeftWhereThatIsMore) {
     EXPECT_EQ(place_probabilities(naming, study, {.verdict = Verdict::explained}).front().element, Element::pad);  // it stands: the rest is what its law leaves
 }
 
+// Pads answer for rigid ground, which has no free correction: what is left at them beside ballast that gives way is the ground's, which changes along the line.
+TEST(Places, OfWhatIsLeftAtThePadsBesideGroundThatGivesWayIsTheGround) {
+    PlaceStudy study;
+    study.at_named = {{.element = Element::pad, .nats = 3000.0}};
+    const Decision unexplained{.verdict = Verdict::unexplained};
+    EXPECT_EQ(place_probabilities(given_naming({given_set({"support-compliance"}, {}, 1000.0, 300.0)}), study, unexplained).front().element, Element::support);
+    EXPECT_EQ(place_probabilities(given_naming({given_set({"rail-shear"}, {}, 1000.0, 300.0)}), study, unexplained).front().element, Element::pad);
+    study.at_named.front().element = Element::wheel;
+    EXPECT_EQ(place_probabilities(given_naming({given_set({"support-compliance"}, {}, 1000.0, 300.0)}), study, unexplained).front().element, Element::wheel);
+}
+
 // What one member explains alone is known of a set that was fitted, though it is no candidate any more.
 TEST(Places, ShareASetByThoseThatWereDropped) {
     NamingResult naming = given_naming({given_set({"sensor-gain", "rail-shear"}, {}, 1000.0, 300.0), given_set({"rail-shear"}, {}, 900.0, -10.0)});
