@@ -13,7 +13,6 @@ namespace railpem::diagnosis {
 namespace {
 
 constexpr int kHeldIterations = 8;        ///< with the lines held: what a climb from afar gains by holding them longer is lost when it lets them go
-constexpr std::size_t kStageEvery = 2;    ///< of the bins, in which a blunt stage is judged: neighbours of Hann windows share two thirds of what they say
 constexpr double kPatience = 1e-4;        ///< of the nats that a case leaves unexplained, which a step has to promise: what gains less lacks physics, and creeps along ridges
 constexpr double kStageGain = 3.0;        ///< nats that a step of a blunt stage has to promise: its top is not the one that counts
 
@@ -134,7 +133,7 @@ class Fitting {
         End end = End::top;
         for (const double floor : floors) {
             stage.least_floor = floor;
-            stage.every = floor > context_.least_floor ? std::max(kStageEvery, context_.every) : context_.every;
+            stage.every = floor > context_.least_floor ? std::max(kBluntEvery, context_.every) : context_.every;
             weigh(held, stage, state_);
             settle(held, stage, state_);
             ClimbOptions blunt{.least_gain = std::max(options_.least_gain, kStageGain), .sharp = false, .between = options_.between};

@@ -20,7 +20,6 @@ namespace {
 
 using Complex = std::complex<double>;
 constexpr std::size_t kBlockBins = 8;   ///< 2 Hz of segments of 4 s
-constexpr std::size_t kBluntEvery = 2;  ///< neighbouring bins of Hann windows share two thirds of what they say
 constexpr std::size_t kChunkBins = 64;  ///< bins summed at a time, so that sums do not depend on the threads
 
 int thread_count(const LikelihoodContext& context) { return pem::thread_count(context.threads); }

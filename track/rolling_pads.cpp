@@ -143,7 +143,7 @@ class ElasticLaw {
         curve_ = pad_curve(passing.pads);
         rest_m_ = unloaded_seat(seat_law(passing), rest_load_n(passing)).compression_m;
         rest_n_ = pad_force(curve_, rest_m_);
-        // No pad carries more than the rest and one wheel, most carry little: between the softest and the stiffest tangent, where both converge fastest together (a quarter: 14 rounds at strength 1.5, half-way 19, at the end 18).
+        // No pad carries more than the rest and one wheel, most carry little: between the softest and the stiffest tangent, where both converge fastest together (of 0, 0.1, 0.25, 0.5 and 0.75 a quarter took fewest rounds on the paper's track at 22 m/s: 14 at strength 1.5, half-way 19, at 0 18).
         const double softest = pad_stiffness(curve_, rest_m_);
         reference_ = softest + kTowardsStiffest * (pad_stiffness(curve_, pad_compression(curve_, rest_n_ + wheel_load_n)) - softest);
         first_slope_ = pad_stiffness(curve_, std::nextafter(curve_.free_compression_m, 1.0));
@@ -213,10 +213,11 @@ TrackParameters passing_track(const TrackParameters& track, double wheel_load_n)
     return passing;
 }
 
-PadHistory pad_history(const TrackParameters& track, const std::vector<double>& wheels_m, double wheel_load_n, double speed_m_per_s, bool standing,
-                       const std::vector<Phasor>& swelling_n, const PadHistory* near) {
-    assert(speed_m_per_s > 0.0 || standing);
-    const Grid grid = grid_of(track, wheels_m, standing && wheels_m.size() == 1 ? kStandingRun_m : kRun_m);
+namespace {
+
+/// pad_history() on a grid.
+PadHistory history_on(const Grid& grid, const TrackParameters& track, const std::vector<double>& wheels_m, double wheel_load_n, double speed_m_per_s, bool standing, const std::vector<Phasor>& swelling_n,
+                      const PadHistory* near) {
     const Equation equation = equation_of(track, wheels_m, wheel_load_n, speed_m_per_s, standing, grid, swelling_n);
     PadHistory history{.first_m = grid.first_m(), .step_m = grid.step_m, .compression_m = {}, .force_n_m = {}, .wavenumber_step_per_m = grid.wavenumber_step()};
     const bool linear = track.pads.preload_strength == 0.0;
@@ -235,6 +236,14 @@ PadHistory pad_history(const TrackParameters& track, const std::vector<double>& 
         history.force_n_m.push_back(force / pad[n] * std::polar(grid.step_m, -k * grid.first_m()));
     }
     return history;
+}
+
+}  // namespace
+
+PadHistory pad_history(const TrackParameters& track, const std::vector<double>& wheels_m, double wheel_load_n, double speed_m_per_s, bool standing,
+                       const std::vector<Phasor>& swelling_n, const PadHistory* near) {
+    assert(speed_m_per_s > 0.0 || standing);
+    return history_on(grid_of(track, wheels_m, kRun_m), track, wheels_m, wheel_load_n, speed_m_per_s, standing, swelling_n, near);
 }
 
 std::vector<Phasor> rolling_deflection(const TrackParameters& track, const std::vector<double>& wheels_m, double speed, const PadHistory& history, int orders, bool standing) {
@@ -273,10 +282,11 @@ LoadedDeflection loaded_deflection(const TrackParameters& track, double wheel_lo
     constexpr double kShare = 0.1;  // of the load, either way
     const double step = kShare * wheel_load_n;
     std::array<double, 3> w;
+    const Grid grid = grid_of(track, {0.0}, kStandingRun_m);
     PadHistory history;
     for (int i = 0; i < 3; ++i) {
         const PadHistory less = std::move(history);
-        history = pad_history(track, {0.0}, wheel_load_n + (i - 1) * step, 0.0, true, {}, &less);
+        history = history_on(grid, track, {0.0}, wheel_load_n + (i - 1) * step, 0.0, true, {}, &less);
         w[static_cast<std::size_t>(i)] = history.compression_m[history.compression_m.size() / 2];  // s = 0: the wheel over the pad
     }
     return {(w[2] - w[0]) / (2.0 * step), (w[2] - 2.0 * w[1] + w[0]) / (step * step)};
