@@ -24,6 +24,7 @@ constexpr int kAnonymousIterations = 12;
 constexpr double kRest = 0.5;           ///< of what a name explains, that an unknown of its place may explain beyond it
 constexpr double kBesideUnknown = 1.6;  ///< times the effort of the search, after which nothing is tried beside an unknown any more
 constexpr double kAnonymousGain = 1.0;  ///< nats: a score that decides between names within 3 needs no more
+constexpr double kRefitGain = 0.5;      ///< nats, for the last step is undamped: further ones rattle by what differences are off (both effects of the paper: 0.2, 0.5 and 0.04)
 constexpr double kRoomForCurve = 300.0; ///< nats that a correction may stay behind the named set and still draw its curve
 
 class Diagnosing {
@@ -93,23 +94,30 @@ class Diagnosing {
         if (!naming_.sets.empty()) study_.by_recording = constancy(naming_.sets.front().fit, context_);
         if (!naming_.sets.empty() && names_friction(naming_.sets.front())) study_.friction = friction_law(naming_.sets.front().fit, context_);
         if (!naming_.sets.empty() && naming_.sets.front().score() > naming_.retuned.score() + options_.thresholds.least_gain)
-            study_.at_named = evidence(naming_.left_by_best.empty() ? locate(naming_.sets.front().fit, context_) : naming_.left_by_best);
+            study_.at_named = evidence(left_by_best());
         if (leaves_much()) {
             const auto between = [this](const std::string& what) { say(what, 0.85); };
             if (naming_.blunt_corrections.sets.empty()) naming_.blunt_corrections = blunt_corrections(believed_, context_, between);
-            study_.anonymous = sharpened_corrections(believed_, naming_.blunt_corrections, context_, between, [this] { return is_spent(1.0); });
-            if (!naming_.sets.empty() && leans(naming_.sets.front(), naming_.retuned.score()))
-                if (std::optional<FittedSet> beyond = fit_beyond_range(believed_, naming_.sets.front(), context_, {})) study_.anonymous.push_back(std::move(*beyond));
+            std::optional<FittedSet> beyond;
+            if (!naming_.sets.empty() && leans(naming_.sets.front(), naming_.retuned.score())) beyond = fit_beyond_range(believed_, naming_.sets.front(), context_, {});
+            study_.anonymous = sharpened_corrections(believed_, naming_.blunt_corrections, context_, between, [this] { return is_spent(1.0); }, beyond ? &beyond->fit : nullptr);
+            if (beyond) study_.anonymous.push_back(std::move(*beyond));
             return;
         }
         for (int i = 0; i < kAnonymousFits && i < static_cast<int>(ranked.size()); ++i) {
             const LocatedEvidence& own = ranked[static_cast<std::size_t>(i)];
             if (own.nats < options_.naming.least_promise) break;
             say("free correction of the " + element_name(own.place.element), 0.82 + 0.05 * i);
-            FitOptions fit_options{.iterations = kAnonymousIterations, .least_gain = kAnonymousGain, .from_far = false};
+            // Where retuning misses much, most cannot come near what is named, and a blunt likelihood sees that in a tenth of the time.
+            FitOptions fit_options{.iterations = kAnonymousIterations, .least_gain = kAnonymousGain, .from_far = misses_much(naming_.retuned.fit, context_)};
             if (!naming_.sets.empty()) fit_options.rival = &naming_.sets.front().fit, fit_options.room = kRoomForCurve;
             study_.anonymous.push_back(fit_correction(believed_, naming_.retuned, own, context_, fit_options));
         }
+    }
+
+    const std::vector<LocatedEvidence>& left_by_best() {
+        if (naming_.left_by_best.empty()) naming_.left_by_best = locate(naming_.sets.front().fit, context_);
+        return naming_.left_by_best;
     }
 
     /// Retuning leaves so much that no promise at its end says where to, and what was named does not stand.
@@ -134,10 +142,10 @@ class Diagnosing {
         const std::vector<Element> own_places = elements_of(best, nullptr);
         const bool in_its_place = std::find(own_places.begin(), own_places.end(), element) != own_places.end();
         if (in_its_place && unknown.score() - best.score() < kRest * (best.score() - naming_.retuned.score())) return;
+        if (!could_stand_beside(best, naming_.retuned.score(), options_.thresholds)) return;  // whatever it explains
         if (is_spent(kBesideUnknown)) return naming_.not_tested.push_back(left_out_for_effort("the named beside the unknown", effort_, allowed_s()));
         say("the named beside the unknown", 0.91);
-        if (naming_.left_by_best.empty()) naming_.left_by_best = locate(best.fit, context_);
-        for (const LocatedEvidence& own : naming_.left_by_best)
+        for (const LocatedEvidence& own : left_by_best())
             if (own.place.element == element)
                 study_.named_stands = fit_correction(believed_, best, own, context_, {.iterations = kAnonymousIterations, .least_gain = kAnonymousGain, .from_far = false}).score() >
                                       unknown.score() + options_.thresholds.least_gain;
@@ -159,7 +167,7 @@ class Diagnosing {
     const DiagnoseOptions& options_;
     Effort effort_;
     LikelihoodContext context_;
-    const FitOptions near_{.from_far = false};
+    const FitOptions near_{.least_gain = kRefitGain, .from_far = false};
     NamingResult naming_;
     PlaceStudy study_;
     FittedSet retuned_, named_;

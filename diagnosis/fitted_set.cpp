@@ -191,6 +191,7 @@ std::optional<FittedSet> fit_beyond_range(const BelievedCase& believed, const Fi
     for (Unknown& unknown : own.unknowns)
         if (const EffectParameter* parameter = parameter_of(unknown)) widen(*parameter, unknown);
     set.fit = fit(own.trial, std::move(own.unknowns), std::move(own.start), context, options);
+    set.fit.derivatives.reset();  // nothing starts from there
     set.anonymous = {{.element = element, .channel = {}}};
     set.log_prior = prior_of(set, believed.uncertain.size());
     set.held_out = part_log_likelihood(set.fit, context, Part::held_out);

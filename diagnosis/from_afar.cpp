@@ -131,8 +131,10 @@ FittedSet climbed(const BelievedCase& believed, const std::vector<Start>& starts
     for (const Start& start : starts) {
         FittedSet set = fit_set(believed, start.near, start.set, {}, {}, blunt, options);
         if (best.effects.empty() || set.fit.log_posterior > best.fit.log_posterior) best = std::move(set);
+        if (!options.rival || best.fit.log_posterior > options.rival->log_posterior) options.rival = &best.fit;
     }
     options.iterations = kFurtherBluntIterations;
+    options.rival = rival;
     best = fit_set(believed, best.fit, best.effects, {}, {}, blunt, options);
     best.fit.derivatives.reset();  // several of these wait for each other
     return best;
@@ -200,7 +202,7 @@ BluntCorrections blunt_corrections(const BelievedCase& believed, const Likelihoo
 }
 
 std::vector<FittedSet> sharpened_corrections(const BelievedCase& believed, const BluntCorrections& blunt, const LikelihoodContext& context, const std::function<void(const std::string&)>& between,
-                                             const std::function<bool()>& enough) {
+                                             const std::function<bool()>& enough, const Fit* rival) {
     std::vector<FittedSet> sets;
     sets.reserve(kSharpCorrections);  // the rival is one of them
     for (const FittedSet& own : blunt.sets) {
@@ -209,8 +211,9 @@ std::vector<FittedSet> sharpened_corrections(const BelievedCase& believed, const
         const auto step = [&] { between("free correction of the " + element_name(own.anonymous.front().element) + ", sharpened"); };
         FittedSet half = half_sharpened(believed, own, context, step);
         half.fit.derivatives.reset();  // of short windows; those of long ones need the room
-        sets.push_back(sharpened(believed, half, context, step, sets.empty() ? nullptr : &sets.front().fit));
+        sets.push_back(sharpened(believed, half, context, step, rival));
         sets.back().fit.derivatives.reset();
+        if (!rival || sets.back().fit.log_posterior > rival->log_posterior) rival = &sets.back().fit;
     }
     return sets;
 }

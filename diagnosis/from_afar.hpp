@@ -32,9 +32,10 @@ struct BluntCorrections {
 /// is being done.
 BluntCorrections blunt_corrections(const BelievedCase& believed, const LikelihoodContext& context, const std::function<void(const std::string&)>& between);
 
-/// The best two of them, sharpened. The second only where it brings at least half as much bluntly and not `enough` is done; it is given up where it cannot come near the first.
+/// The best two of them, sharpened. The second only where it brings at least half as much bluntly and not `enough` is done. What cannot come near the `rival`, a fit of the sharp likelihood, if there is one, is given up, and the second where it
+/// cannot come near the first.
 std::vector<FittedSet> sharpened_corrections(const BelievedCase& believed, const BluntCorrections& blunt, const LikelihoodContext& context, const std::function<void(const std::string&)>& between,
-                                             const std::function<bool()>& enough = [] { return false; });
+                                             const std::function<bool()>& enough = [] { return false; }, const Fit* rival = nullptr);
 
 /// The floor at which it shows whether a set that was fitted with the blunt likelihood is worth sharpening.
 constexpr double kHalfSharpFloor = 0.04;

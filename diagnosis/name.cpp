@@ -28,6 +28,7 @@ void Search::run() {
     } catch (const Interrupted&) {
         result_.interrupted = true;
     }
+    if (trials_.leading().score() != left_beside_) result_.left_by_best.clear();  // it was of another set
     trials_.sort();
 }
 
@@ -56,7 +57,7 @@ void Search::search() {
         if (trials_.leading().members() == 1 && left_over() < kMinor * (trials_.leading().score() - result_.retuned.score())) return;
     }
     // Where the blunt search has looked for nothing from afar, this is worth more: preloaded pads stood as failed fasteners. How much more, by judgement.
-    if (is_spent(blunt_from_afar_.empty() ? kFirstFromAfar : kSharpFromAfar)) return static_cast<void>(left_over());
+    if (is_spent(blunt_from_afar_.empty() ? kFirstFromAfar : kSharpFromAfar)) return;
     const double before = trials_.leading().score();
     if (!rescued) rescue_round();
     if (trials_.leading().score() > before + options_.least_gain) further_rounds(2);
@@ -64,7 +65,6 @@ void Search::search() {
         rescue_round(single);
         further_rounds(3);
     }
-    left_over();
 }
 
 void Search::further_rounds(int from) {

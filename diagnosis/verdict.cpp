@@ -181,6 +181,9 @@ bool needs_wrong_numbers(const FittedSet& set, const VerdictThresholds& threshol
     return furthest_number(set) > tolerances;
 }
 
+// Preload on the end of its range, with numbers far off, was named beside a play of the fastenings that outdid it by 170 nats (`full_226830439` in docs/proof, trial 103).
+bool could_stand_beside(const FittedSet& set, double nothing, const VerdictThresholds& thresholds) { return !leans(set, nothing) && !needs_wrong_numbers(set, thresholds); }
+
 Decision decide(const NamingResult& naming, const PlaceStudy& places, const VerdictThresholds& thresholds) {
     Decision decision;
     for (const FittedSet& set : places.anonymous) decision.unknown_score = std::max(decision.unknown_score, set.score());
@@ -188,8 +191,7 @@ Decision decide(const NamingResult& naming, const PlaceStudy& places, const Verd
     const FittedSet* best = naming.sets.empty() ? nullptr : &naming.sets.front();
     const bool gains = best && best->score() > nothing + thresholds.least_gain && !unseen_disagrees(naming.retuned, *best, naming.unseen_share);
     const bool has_name = gains && no_wrong_number(*best, nothing).empty();
-    // Preload on the end of its range, with numbers far off, was named beside a play of the fastenings that outdid it by 170 nats (`full_226830439` in docs/proof, trial 103).
-    const bool stands_beside = places.named_stands && best && !leans(*best, nothing) && !needs_wrong_numbers(*best, thresholds);
+    const bool stands_beside = places.named_stands && best && could_stand_beside(*best, nothing, thresholds);
     if (has_name && (decision.unknown_score < best->score() + thresholds.anonymous || stands_beside)) {
         decision.named = best;
         for (const FittedSet& set : naming.sets)

@@ -52,6 +52,9 @@ double inconstancy(const PlaceStudy& study);
 /// A number of the case ends further away from its belief than beside any right name: another thing stands behind the set.
 bool needs_wrong_numbers(const FittedSet& set, const VerdictThresholds& thresholds);
 
+/// Whether a set may be named beside an unknown that outdoes it: within the range of its physics, and without wrong numbers. `nothing`: score of the retuned case.
+bool could_stand_beside(const FittedSet& set, double nothing, const VerdictThresholds& thresholds);
+
 Decision decide(const NamingResult& naming, const PlaceStudy& places, const VerdictThresholds& thresholds);
 
 /// Every member of `smaller` is in `larger`: the larger one does not contradict it, it only says more.
