@@ -155,7 +155,9 @@ class Diagnosing {
     void refit(const Decision& decision) {
         LikelihoodContext all = context_;
         all.part = Part::all;
-        retuned_ = fit_set(believed_, naming_.retuned.fit, {}, {}, {}, all, near_);
+        FitOptions retuning = near_;
+        retuning.patience = kRetuningPatience;
+        retuned_ = fit_set(believed_, naming_.retuned.fit, {}, {}, {}, all, retuning);
         named_ = decision.named ? fit_set(believed_, decision.named->fit, decision.named->effects, decision.named->released, {}, all, near_) : retuned_;
         named_.fit.covariance = robust_covariance(named_.fit, all);
     }

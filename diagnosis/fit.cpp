@@ -13,7 +13,6 @@ namespace railpem::diagnosis {
 namespace {
 
 constexpr int kHeldIterations = 8;        ///< with the lines held: what a climb from afar gains by holding them longer is lost when it lets them go
-constexpr double kPatience = 1e-4;        ///< of the nats that a case leaves unexplained, which a step has to promise: what gains less lacks physics, and creeps along ridges
 constexpr double kBluntGain = 3.0;        ///< nats that a step has to promise where the likelihood is blunt: that top is not the one that counts
 constexpr double kStagePatience = 1e-3;   ///< and of the nats that are left unexplained there: both effects of the paper, retuned without them, took ten steps of 50 nats of 113 000 with the lines held
 
@@ -159,7 +158,7 @@ class Fitting {
         return std::max(0.0, -state_.log_likelihood - chance);
     }
 
-    double least_gain() const { return std::max({options_.least_gain, kPatience * unexplained(), context_.least_floor > 0.0 ? kBluntGain : 0.0}); }
+    double least_gain() const { return std::max({options_.least_gain, options_.patience * unexplained(), context_.least_floor > 0.0 ? kBluntGain : 0.0}); }
 
     void choose_width() {
         const std::vector<ExpectedSpectra> before = state_.predictions.spectra;

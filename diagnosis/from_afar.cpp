@@ -135,7 +135,7 @@ FittedSet climbed(const BelievedCase& believed, const std::vector<Start>& starts
     }
     options.iterations = kFurtherBluntIterations;
     options.rival = rival;
-    best = fit_set(believed, best.fit, best.effects, {}, {}, blunt, options);
+    if (!best.fit.converged) best = fit_set(believed, best.fit, best.effects, {}, {}, blunt, options);
     best.fit.derivatives.reset();  // several of these wait for each other
     return best;
 }
