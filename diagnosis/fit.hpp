@@ -12,7 +12,7 @@
 
 namespace railpem::diagnosis {
 
-/// Of the retuned case, below: where it leaves much, thousands of nats tell it from the rest, and what goes on from it begins with a blunt likelihood.
+/// FitOptions::patience of the retuned case: where it leaves much, thousands of nats tell it from the rest, and what goes on from it begins with a blunt likelihood.
 inline constexpr double kRetuningPatience = 1e-3;
 
 /// A fit's way and end.

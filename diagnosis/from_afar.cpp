@@ -131,7 +131,7 @@ FittedSet climbed(const BelievedCase& believed, const std::vector<Start>& starts
     for (const Start& start : starts) {
         FittedSet set = fit_set(believed, start.near, start.set, {}, {}, blunt, options);
         if (best.effects.empty() || set.fit.log_posterior > best.fit.log_posterior) best = std::move(set);
-        if (!options.rival || best.fit.log_posterior > options.rival->log_posterior) options.rival = &best.fit;
+        if (!options.rival || best.fit.log_posterior > options.rival->log_posterior) options.rival = &best.fit;  // of two starts one is enough
     }
     options.iterations = kFurtherBluntIterations;
     options.rival = rival;
