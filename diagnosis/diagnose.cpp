@@ -108,7 +108,7 @@ class Diagnosing {
             const LocatedEvidence& own = ranked[static_cast<std::size_t>(i)];
             if (own.nats < options_.naming.least_promise) break;
             say("free correction of the " + element_name(own.place.element), 0.82 + 0.05 * i);
-            // Where retuning misses much, most cannot come near what is named, and a blunt likelihood sees that in a tenth of the time.
+            // Where retuning misses much, most cannot come near what is named, and a blunt likelihood sees that in less than half the time.
             FitOptions fit_options{.iterations = kAnonymousIterations, .least_gain = kAnonymousGain, .from_far = misses_much(naming_.retuned.fit, context_)};
             if (!naming_.sets.empty()) fit_options.rival = &naming_.sets.front().fit, fit_options.room = kRoomForCurve;
             study_.anonymous.push_back(fit_correction(believed_, naming_.retuned, own, context_, fit_options));

@@ -167,14 +167,14 @@ void SetTrials::remember_blunt(const std::vector<FittedSet>& sets) {
 }
 
 bool SetTrials::is_needed_bluntly(const FittedSet& whole, const FittedSet& fewer) const {
-    const auto score_of = [&](const FittedSet& wanted) {
-        double highest = -std::numeric_limits<double>::infinity();
+    const auto best_of = [&](const FittedSet& wanted) {
+        const FittedSet* found = nullptr;
         for (const FittedSet& own : blunt_)
-            if (is_same_hypothesis(own, wanted)) highest = std::max(highest, own.score());
-        return highest;
+            if (is_same_hypothesis(own, wanted) && (!found || own.score() > found->score())) found = &own;
+        return found;
     };
-    const double without = score_of(fewer);
-    return std::isfinite(without) && score_of(whole) > without + kHopelessBlunt;
+    const FittedSet *with = best_of(whole), *without = best_of(fewer);
+    return with && without && without->fit.converged && with->score() > without->score() + kHopelessBlunt;
 }
 
 std::size_t SetTrials::prune() {

@@ -70,14 +70,14 @@ class SetTrials {
     /// Whether a fit of these members is known that is more probable than where `near` would start another. A member that is needless leaves its set far above that.
     bool is_fitted_better(const Fit& near, const std::vector<Candidate>& members, const std::vector<std::string>& released) const;
 
-    /// Whether the blunt search had `whole` so far above what it is without a member that no sharper likelihood, which sees more of what is missed, turns that round.
+    /// Whether the blunt search had `whole` so far above what it is without a member that no sharper likelihood, which sees more of what is missed, turns that round; what it gave up on the way says nothing of how far that reaches.
     bool is_needed_bluntly(const FittedSet& whole, const FittedSet& fewer) const;
 
     const BelievedCase& believed_;
     const LikelihoodContext& context_;
     const NamingOptions& options_;
     NamingResult& result_;
-    std::vector<FittedSet> blunt_;  ///< members and scores
+    std::vector<FittedSet> blunt_;  ///< without their fits
     double pruned_ = 0.0;  ///< score of the set whose members were left out last
 };
 

@@ -133,6 +133,7 @@ bool names_friction(const FittedSet& set) {
 FittedSet without_fit(const FittedSet& set) {
     FittedSet own{.effects = set.effects, .released = set.released, .log_prior = set.log_prior, .held_out = set.held_out};
     own.fit.log_evidence = set.fit.log_evidence;
+    own.fit.converged = set.fit.converged;
     return own;
 }
 

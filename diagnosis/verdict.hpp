@@ -63,7 +63,7 @@ bool contains(const FittedSet& larger, const FittedSet& smaller);
 /// The same members, whatever their order and values.
 bool is_same_hypothesis(const FittedSet& first, const FittedSet& second);
 
-/// What a set explains, without what its fit holds.
+/// What a set explains and whether its fit came to an end, without what that holds.
 FittedSet without_fit(const FittedSet& set);
 
 /// Labels of a set's members, parameter-errors included.

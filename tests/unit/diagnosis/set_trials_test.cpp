@@ -50,8 +50,8 @@ TEST(SetTrials, ACombThatIsThereStays) {
     EXPECT_TRUE(std::isfinite(dips.score()));
 }
 
-/// Gains of two channels, sought one after the other; what the search then tries without either of them, by name. Bluntly the second alone was worse than both.
-std::vector<std::string> tried_without(double known_is_worse_by, double bluntly_worse_by = 0.0) {
+/// Gains of two channels, sought one after the other; what the search then tries without either of them, by name. Bluntly the second alone was worse than both, where its fit `ended`.
+std::vector<std::string> tried_without(double known_is_worse_by, double bluntly_worse_by = 0.0, bool ended = true) {
     Synthesised made = synthesised(paper_believed({"vehicle.bogie_mass_kg"}), {20.0}, 60.0, {"bogie_1", "wheel_1", "wheel_2"}, kSmall);
     const auto gain_of = [](const std::string& channel, double gain) { return EffectInstance{.effect = "sensor-gain", .values = {{"gain", gain}}, .choices = {{"channel", channel}}}; };
     made.truth.effects = {gain_of("bogie_1", 1.2), gain_of("axlebox_1", 0.8)};
@@ -71,6 +71,7 @@ std::vector<std::string> tried_without(double known_is_worse_by, double bluntly_
     result.sets[0].fit.log_posterior -= known_is_worse_by;
     std::vector<FittedSet> blunt{{.effects = {second}}, {.effects = {second, first}}};
     blunt[0].fit.log_evidence = -bluntly_worse_by;
+    blunt[0].fit.converged = ended;
     trials.remember_blunt(blunt);
     said.clear();
     trials.prune();
@@ -84,10 +85,11 @@ std::vector<std::string> tried_without(double known_is_worse_by, double bluntly_
 // The first is known by itself, and better than what the pair leaves without the second; of the second by itself nothing is known.
 TEST(SetTrials, AKnownSetIsNotFittedAgain) { EXPECT_EQ(tried_without(0.0), std::vector<std::string>{"axlebox_1"}); }
 
-// Nor is one without what the blunt search could not do without; of a little it may have been wrong.
+// What the blunt search could not do without stays; it may have been wrong by a little, or have given up too early.
 TEST(SetTrials, WhatWasNeededBluntlyIsNotTakenOut) {
     EXPECT_TRUE(tried_without(0.0, 1000.0).empty());
     EXPECT_EQ(tried_without(0.0, 100.0), std::vector<std::string>{"axlebox_1"});
+    EXPECT_EQ(tried_without(0.0, 1000.0, false), std::vector<std::string>{"axlebox_1"});
 }
 
 // One that came to a poor end is.
