@@ -35,12 +35,11 @@ void Search::blunt_search() {
     found.first_promises = search.screened(found.retuned.fit);
     search.first_round();
     const double single = search.trials_.leading().score();
-    const auto grow = [&] { trials_.remember_blunt(found.sets), grow_leading(); };
     FittedSet put_off;  // of an approximate law that leaves more than is usual: something else may take its place
     if (single > found.retuned.score() + options_.least_gain) {
         Halved half = look_sharper(search.trials_.leading(), found.retuned.fit);
         if (!half.sharpened && is_approximate(half.set)) put_off = std::move(half.set);
-        if (trials_.names() && leaves_little()) return grow();
+        if (trials_.names() && leaves_little()) return grow_leading();
     }
     if (search.misses()) search.rescue_round();  // before anything is added to what stands in for it
     if (!is_spent(kBluntPairs)) search.further_rounds(2);
@@ -49,7 +48,7 @@ void Search::blunt_search() {
     Halved seen;  // before more is looked for: what is there leaves misfit, too, as long as it is fitted bluntly (both effects of the paper, seed 9601)
     if (search.misses() && search.trials_.leading().score() > least) {
         seen = look_sharper(search.trials_.leading(), found.retuned.fit);
-        if (trials_.names() && leaves_little()) return grow();
+        if (trials_.names() && leaves_little()) return grow_leading();
     }
     outdone_ = search.misses() && search.is_outdone();
     result_.blunt_corrections = std::move(found.blunt_corrections);
@@ -63,7 +62,7 @@ void Search::blunt_search() {
     } else if (!seen.sharpened) {
         sharpen(seen.set);
     }
-    if (!result_.sets.empty()) grow();
+    if (!result_.sets.empty()) grow_leading();
 }
 
 bool Search::is_outdone() {

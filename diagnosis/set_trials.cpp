@@ -5,9 +5,7 @@
 #include <limits>
 
 #include "diagnosis/best_start.hpp"
-#include "diagnosis/climb.hpp"
 #include "diagnosis/comb_relatives.hpp"
-#include "diagnosis/verdict.hpp"
 
 namespace railpem::diagnosis {
 
@@ -161,27 +159,10 @@ bool SetTrials::is_fitted_better(const Fit& near, const std::vector<Candidate>& 
     return log_posterior_at(supposition.trial, supposition.unknowns, supposition.start, context_) < known->fit.log_posterior;
 }
 
-void SetTrials::remember_blunt(const std::vector<FittedSet>& sets) {
-    blunt_.clear();
-    for (const FittedSet& set : sets) blunt_.push_back(without_fit(set));
-}
-
-bool SetTrials::is_needed_bluntly(const FittedSet& whole, const FittedSet& fewer) const {
-    const auto best_of = [&](const FittedSet& wanted) {
-        const FittedSet* found = nullptr;
-        for (const FittedSet& own : blunt_)
-            if (is_same_hypothesis(own, wanted) && (!found || own.score() > found->score())) found = &own;
-        return found;
-    };
-    const FittedSet *with = best_of(whole), *without = best_of(fewer);
-    return with && without && without->fit.converged && with->score() > without->score() + kHopelessBlunt;
-}
-
 std::size_t SetTrials::prune() {
     const FittedSet& whole = leading();
     if (whole.members() < 2 || whole.score() == pruned_) return 0;
     pruned_ = whole.score();
-    const FittedSet known = without_fit(whole);  // sets may move
     const Fit near = values_of(whole.fit);
     const std::vector<Candidate> members = whole.effects;
     const std::vector<std::string> released = whole.released;
@@ -190,7 +171,7 @@ std::size_t SetTrials::prune() {
         std::vector<std::string> numbers = released;
         if (i < members.size()) fewer.erase(fewer.begin() + static_cast<long>(i));
         else numbers.erase(numbers.begin() + static_cast<long>(i - members.size()));
-        if (!is_needed_bluntly(known, {.effects = fewer, .released = numbers}) && !is_fitted_better(near, fewer, numbers)) try_set(near, std::move(fewer), std::move(numbers), 0.72, true);
+        if (!is_fitted_better(near, fewer, numbers)) try_set(near, std::move(fewer), std::move(numbers), 0.72, true);
     }
     const std::size_t left = leading().members();
     return left < members.size() + released.size() ? left : 0;

@@ -38,11 +38,8 @@ class SetTrials {
     /// A fit of the best set of so many members that ran out of steps goes on: what it has left to gain would be put down to the next member.
     void finish_best(std::size_t members);
 
-    /// What a blunt search found, for prune().
-    void remember_blunt(const std::vector<FittedSet>& sets);
-
-    /// The best set without each of its members in turn: one grown member by member may hold some that a later one has made needless; not those without which it was hopelessly worse where
-    /// the likelihood was blunt. The size of what is then the best set, where that is smaller; 0 otherwise, and where this set was asked about before.
+    /// The best set without each of its members in turn: one grown member by member may hold some that a later one has made needless, and what each of the others explains is what it brings beside the rest. The size of what is
+    /// then the best set, where that is smaller; 0 otherwise, and where this set was asked about before.
     std::size_t prune();
 
     /// Pairs in which `second` stays and the first of the set `from`, a single, is replaced by the other promising singles.
@@ -70,14 +67,10 @@ class SetTrials {
     /// Whether a fit of these members is known that is more probable than where `near` would start another. A member that is needless leaves its set far above that.
     bool is_fitted_better(const Fit& near, const std::vector<Candidate>& members, const std::vector<std::string>& released) const;
 
-    /// Whether the blunt search had `whole` so far above what it is without a member that no sharper likelihood, which sees more of what is missed, turns that round; what it gave up on the way says nothing of how far that reaches.
-    bool is_needed_bluntly(const FittedSet& whole, const FittedSet& fewer) const;
-
     const BelievedCase& believed_;
     const LikelihoodContext& context_;
     const NamingOptions& options_;
     NamingResult& result_;
-    std::vector<FittedSet> blunt_;  ///< without their fits
     double pruned_ = 0.0;  ///< score of the set whose members were left out last
 };
 

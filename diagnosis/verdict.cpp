@@ -66,8 +66,6 @@ bool contains(const FittedSet& larger, const FittedSet& smaller) {
     return std::all_of(smaller.effects.begin(), smaller.effects.end(), has) && std::all_of(smaller.released.begin(), smaller.released.end(), released);
 }
 
-bool is_same_hypothesis(const FittedSet& first, const FittedSet& second) { return first.members() == second.members() && contains(first, second) && contains(second, first); }
-
 bool is_trifling(const FittedSet& set) {
     for (std::size_t u = 0; u < set.fit.unknowns.size(); ++u)
         if (const EffectParameter* parameter = parameter_of(set.fit.unknowns[u]))
@@ -91,6 +89,9 @@ bool says_as_much(const FittedSet& smaller, const FittedSet& larger, const Namin
             (leans(larger, naming.retuned.score()) && !leans(smaller, naming.retuned.score())) || (is_trifling(larger) && !is_trifling(smaller)) ||
             (has_one_that_hardly_is(larger) && !has_one_that_hardly_is(smaller)));
 }
+
+/// The same hypothesis, fitted from another start.
+bool is_the_same(const FittedSet& first, const FittedSet& second) { return first.members() == second.members() && contains(first, second) && contains(second, first); }
 
 bool only_sensors(const FittedSet& set) {
     const auto elements = elements_of(set, nullptr);
@@ -130,12 +131,16 @@ bool names_friction(const FittedSet& set) {
     return std::any_of(set.effects.begin(), set.effects.end(), [](const Candidate& member) { return is_friction(member.instance); });
 }
 
+namespace {
+
+/// What a set explains, without what its fit holds.
 FittedSet without_fit(const FittedSet& set) {
     FittedSet own{.effects = set.effects, .released = set.released, .log_prior = set.log_prior, .held_out = set.held_out};
     own.fit.log_evidence = set.fit.log_evidence;
-    own.fit.converged = set.fit.converged;
     return own;
 }
+
+}  // namespace
 
 bool drop_superfluous(NamingResult& naming, const VerdictThresholds& thresholds) {
     std::vector<FittedSet> kept;
@@ -144,7 +149,7 @@ bool drop_superfluous(NamingResult& naming, const VerdictThresholds& thresholds)
         const FittedSet& set = naming.sets[i];
         const auto here = naming.sets.begin() + static_cast<long>(i);
         const bool superfluous = (set.members() == 1 && is_trifling(set)) || unseen_disagrees(naming.retuned, set, naming.unseen_share) ||
-                                 std::any_of(naming.sets.begin(), here, [&](const FittedSet& better) { return is_same_hypothesis(better, set); }) ||
+                                 std::any_of(naming.sets.begin(), here, [&](const FittedSet& better) { return is_the_same(better, set); }) ||
                                  std::any_of(naming.sets.begin(), naming.sets.end(), [&](const FittedSet& own) { return says_as_much(own, set, naming, thresholds); });
         if (!superfluous) {
             kept.push_back(set);

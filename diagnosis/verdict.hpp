@@ -60,12 +60,6 @@ Decision decide(const NamingResult& naming, const PlaceStudy& places, const Verd
 /// Every member of `smaller` is in `larger`: the larger one does not contradict it, it only says more.
 bool contains(const FittedSet& larger, const FittedSet& smaller);
 
-/// The same members, whatever their order and values.
-bool is_same_hypothesis(const FittedSet& first, const FittedSet& second);
-
-/// What a set explains and whether its fit came to an end, without what that holds.
-FittedSet without_fit(const FittedSet& set);
-
 /// Labels of a set's members, parameter-errors included.
 std::vector<std::string> labels_of(const FittedSet& set);
 
