@@ -95,18 +95,23 @@ inline Synthesised synthesised(BelievedCase believed, const std::vector<double>&
     return made;
 }
 
-/// The fit of one effect beside everything that is retuned, from the instance's own values.
-inline Fit fitted_with(const Synthesised& made, const EffectInstance& instance) {
+/// The fit of these effects beside everything that is retuned, from the instances' own values.
+inline Fit fitted_with(const Synthesised& made, const std::vector<EffectInstance>& instances) {
     Trial trial = believed_trial(made.believed, made.observations);
-    trial.effects.push_back(instance);
     std::vector<Unknown> unknowns = nuisance_unknowns(made.believed, made.observations);
     std::vector<double> start = means(unknowns);
-    for (const Unknown& unknown : effect_unknowns(instance, 0)) {
-        const EffectParameter& parameter = *parameter_of(unknown);
-        unknowns.push_back(unknown);
-        start.push_back(to_coordinate(parameter, value_of(*find_effect(instance.effect), instance, parameter.name)));
+    for (const EffectInstance& instance : instances) {
+        for (const Unknown& unknown : effect_unknowns(instance, static_cast<int>(trial.effects.size()))) {
+            const EffectParameter& parameter = *parameter_of(unknown);
+            unknowns.push_back(unknown);
+            start.push_back(to_coordinate(parameter, value_of(*find_effect(instance.effect), instance, parameter.name)));
+        }
+        trial.effects.push_back(instance);
     }
     return fit(trial, unknowns, start, made.context());
 }
+
+/// The same of one.
+inline Fit fitted_with(const Synthesised& made, const EffectInstance& instance) { return fitted_with(made, std::vector<EffectInstance>{instance}); }
 
 }  // namespace railpem::diagnosis
