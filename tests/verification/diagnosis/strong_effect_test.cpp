@@ -41,7 +41,7 @@ TEST(StrongEffect, PreloadUnderTwoLoads) {
     EXPECT_NEAR(found.omitted.front().parameters.front().value, 0.7, 0.07);
 }
 
-// What the report says that each of two brings is what the other by itself misses, fitted here by hand: what the blunt search thinks hopeless has to be known, too. 12 nats are what chance promises.
+// What the report says that each of two brings is what the other by itself misses, fitted here by hand. 12 nats are what chance promises.
 TEST(StrongEffect, EachOfTwoExplainsWhatTheOtherMisses) {
     Synthesised made = synthesised(paper_believed({"vehicle.wheelset_mass_kg", "vehicle.primary.stiffness_n_per_m", "track.pads.static_stiffness_n_per_m", "track.pads.damping_n_s_per_m"}),
                                    {22.2222, 33.0}, 60.0, nine_channels(), {.window_s = 1.0, .low_hz = 4.0, .high_hz = 175.0});
