@@ -69,8 +69,19 @@ void Search::search() {
 
 void Search::further_rounds(int from) {
     for (int members = from; members <= options_.most_effects; ++members)
-        if (is_spent(members > 2 ? kThirdMember : 1.0) || !further_round(members)) break;
+        if (is_spent(members > 2 ? kThirdMember : 1.0) || (members > 2 && is_outdone_beyond_range()) || !further_round(members)) break;
     if (const std::size_t left = trials_.prune(); left > 0) further_rounds(static_cast<int>(left) + 1);
+}
+
+bool Search::is_outdone_beyond_range() {
+    const FittedSet *single = trials_.best(1), &best = trials_.leading();
+    const double nothing = result_.retuned.score();
+    if (trials_.is_blunt() || !single || single->effects.empty() || !leans(*single, nothing)) return false;
+    say("the best single beyond its range", 0.7);
+    FittedSet from = *single;
+    restore_caches(from.fit, context_);
+    const std::optional<FittedSet> beyond = fit_beyond_range(believed_, from, context_, {});
+    return beyond && beyond->score() - best.score() > best.score() - nothing;
 }
 
 std::vector<Promise> Search::screened(const Fit& fit) {

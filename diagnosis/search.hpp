@@ -37,6 +37,9 @@ class Search {
     /// Whether an unknown of one place explains so much more than the best names, bluntly, that no search will end with a name. Sensors do not count, as in is_evident_among().
     bool is_outdone();
 
+    /// Whether the best single leans on the end of its range and beyond it explains more than twice as much as all that could be named: a third member that has more than two together have would have come first.
+    bool is_outdone_beyond_range();
+
     /// A set of the blunt search, half sharp; sharpened at once where that leaves next to nothing of what retuning misses.
     struct Halved {
         FittedSet set;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pem/scattered_forces.hpp"
+
 namespace railpem::pem {
 
 namespace {
@@ -21,10 +23,9 @@ std::array<Phasor, 4> unit(std::size_t wheel) {
     return one;
 }
 
-Block forces_per_irregularity(const ModulationTransfers& transfers, double frequency) {
-    const std::array<Phasor, 16> forces = forces_at(transfers, frequency);
-    return Eigen::Map<const Eigen::Matrix<Phasor, 4, 4, Eigen::RowMajor>>(forces.data());
-}
+Block block_of(const WheelPairs& pairs) { return Eigen::Map<const Eigen::Matrix<Phasor, 4, 4, Eigen::RowMajor>>(pairs.data()); }
+
+Block forces_per_irregularity(const ModulationTransfers& transfers, double frequency) { return block_of(forces_at(transfers, frequency)); }
 
 Block felt_per_force(const Modulation& modulation, const ModulationTransfers& transfers, double from) {
     if (modulation.bays != 0) {
@@ -82,15 +83,21 @@ std::vector<FeltOrder> felt_orders(const std::vector<Modulation>& orders, const 
         all.push_back({.shift_hz = order.shift_hz, .at = {}});
         highest = std::clamp(order.bays, highest, kMostOrders);
     }
+    const SeatOrders scattered = scattered_orders(transfers);
     for (std::size_t line = 1; line <= transfers.force.size(); ++line) {
         const double from = static_cast<double>(line) * ModulationTransfers::kStep_hz;
         const Coupled coupled(orders, transfers, from, highest);
         const Units irregularity = coupled.coupling * coupled.force;
-        all.front().at.push_back(by_rows(irregularity.middleRows<4>(coupled.place(0))));
+        const Block force = coupled.force.middleRows<4>(coupled.place(0));
+        const auto scatter = [&](int order, double shift) -> Block { return -(block_of(order_at(scattered, order, from + 0.5 * shift)) * force); };
+        Block back = irregularity.middleRows<4>(coupled.place(0));
+        if (scattered.highest > 0) back += scatter(0, 0.0);
+        all.front().at.push_back(by_rows(back));
         for (std::size_t k = 0; k < orders.size(); ++k) {
             const int m = orders[k].bays;
             if (m != 0 && std::abs(m) <= highest) all[k + 1].at.push_back(by_rows(irregularity.middleRows<4>(coupled.place(m))));
-            else all[k + 1].at.push_back(by_rows(felt_per_force(orders[k], transfers, from) * coupled.force.middleRows<4>(coupled.place(0))));
+            else if (orders[k].failures != 0) all[k + 1].at.push_back(by_rows(scatter(orders[k].failures, orders[k].shift_hz)));
+            else all[k + 1].at.push_back(by_rows(felt_per_force(orders[k], transfers, from) * force));
         }
     }
     return all;

@@ -81,7 +81,7 @@ std::array<std::array<std::complex<double>, 4>, lanes::width> coefficients(const
                                                               double speed) {
     lanes::Real omega{};
     for (int lane = 0; lane < lanes::width; ++lane)
-        omega[lane] = kTwoPi * orders[lane] * speed / (period * parameters.track.spacing_m);
+        omega[lane] = 0.5 * kTwoPi * orders[lane] * speed / (period * parameters.track.spacing_m);
     const int samples = kPositionsPerBay * period;
     assert(train.sample.size() == static_cast<std::size_t>(samples));
     const double share = wheel_load_n(parameters) / samples;

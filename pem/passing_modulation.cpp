@@ -83,7 +83,7 @@ Modulation of_differing_seats(const ModulationTransfers& transfers, double shift
 }
 
 void add_both_sides(const Modulation& up, std::vector<Modulation>& orders) {
-    Modulation down{.shift_hz = -up.shift_hz, .bays = -up.bays};
+    Modulation down{.shift_hz = -up.shift_hz, .bays = -up.bays, .failures = -up.failures};
     for (std::size_t wheel = 0; wheel < 4; ++wheel) down.under_wheel[wheel] = std::conj(up.under_wheel[wheel]);
     orders.push_back(up);
     orders.push_back(down);
@@ -113,12 +113,17 @@ double modulation_end_hz(const CaseParameters& parameters, double speed) { retur
 
 ModulationTransfers modulation_transfers(const CaseParameters& parameters, const CoupledModel& model, double speed, RollingTable rolling, const ModulationTransfers* known) {
     constexpr double step = ModulationTransfers::kStep_hz;
-    ModulationTransfers transfers{.force = {}, .receptance = {}, .seat_share = {}, .bay_hz = speed / parameters.track.spacing_m, .rolling = std::move(rolling), .rails = {}};
+    ModulationTransfers transfers{.force = {}, .receptance = {}, .seat_share = {}, .bay_hz = speed / parameters.track.spacing_m, .rolling = std::move(rolling), .rails = {}, .at_places = {}, .seats = {}};
     const auto lines = std::max<std::size_t>(2, static_cast<std::size_t>(modulation_end_hz(parameters, speed) / step));
     std::vector<std::size_t> responses;
     for (const char* wheel : {"contact_1", "contact_2", "contact_3", "contact_4"}) responses.push_back(response_index(wheel));
-    if (known) transfers.rails = known->rails;
-    else transfers.rails = rolling_rails(transfers.rolling, model, step, step, lines);
+    if (known) {
+        transfers.rails = known->rails, transfers.at_places = known->at_places, transfers.seats = known->seats;
+    } else {
+        transfers.rails = rolling_rails(transfers.rolling, model, step, step, lines);
+        transfers.at_places = seat_place_receptances(*model.rail, modulation_end_hz(parameters, speed));
+        transfers.seats = seat_orders(transfers.at_places);
+    }
     const WheelTransfers solved = wheel_transfers(model, step, step, lines, responses, 1, &transfers.rails);
     const track::PadParameters& pads = parameters.track.pads;
     const double pad_n_per_m = pads.dynamic_to_static_ratio * pads.static_stiffness_n_per_m;
@@ -145,7 +150,11 @@ std::vector<Modulation> modulations(const CaseParameters& parameters, const Trac
         const double shift_hz = track.deflection[static_cast<std::size_t>(line - 1)].frequency_hz;
         const int bays = line % period == 0 ? line / period : 0;
         if (bays > 0 && !led ? bays > kOrdersUnled : strength(own) < least * strongest) continue;
-        if (bays == 0) add_both_sides(of_differing_seats(transfers, shift_hz, own), orders);
+        if (bays == 0) {
+            Modulation differing = of_differing_seats(transfers, shift_hz, own);
+            if (transfers.seats.has(line)) differing.failures = line;
+            add_both_sides(differing, orders);
+        }
         else add_both_sides({.shift_hz = shift_hz, .bays = bays, .under_wheel = stiffens ? over_linear(transfers, bays, own) : kAsItIs}, orders);
     }
     for (int bays = 1; compliance.empty() && bays <= kOrdersUnled; ++bays) add_both_sides({.shift_hz = bays * transfers.bay_hz, .bays = bays, .under_wheel = kAsItIs}, orders);
@@ -171,6 +180,12 @@ std::vector<Modulation> random_modulations(const TrackExcitation& track, const M
 
 std::array<Phasor, 4> felt(const Modulation& modulation, const ModulationTransfers& transfers, const std::array<Phasor, 4>& force, double from) {
     std::array<Phasor, 4> result{};
+    if (modulation.failures != 0) {
+        const std::array<Phasor, 16> between = order_at(transfers.seats, modulation.failures, from + 0.5 * modulation.shift_hz);
+        for (std::size_t i = 0; i < 4; ++i)
+            for (std::size_t j = 0; j < 4; ++j) result[i] -= between[i * 4 + j] * force[j];
+        return result;
+    }
     if (modulation.bays == 0) {
         const Phasor share = passed_on(transfers, from, from + modulation.shift_hz);
         for (std::size_t wheel = 0; wheel < 4; ++wheel) result[wheel] = share * modulation.under_wheel[wheel] * force[wheel];

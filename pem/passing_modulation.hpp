@@ -7,6 +7,7 @@
 
 #include "pem/excitation.hpp"
 #include "pem/rolling_table.hpp"
+#include "pem/seat_orders.hpp"
 
 namespace railpem::pem {
 
@@ -19,6 +20,8 @@ struct ModulationTransfers {
     double bay_hz = 0.0;  ///< v/spacing
     RollingTable rolling;
     std::vector<RailGroup> rails;  ///< on those lines
+    SeatPlaceReceptances at_places;  ///< of regularly failed fasteners
+    SeatOrders seats;                ///< their orders
 };
 
 /// How far the modulation looks: to the end of the case's frequencies and two bay frequencies beyond.
@@ -32,12 +35,13 @@ ModulationTransfers modulation_transfers(const CaseParameters& parameters, const
 /// A wheel that rolls over supports feels what the rail gives way under each wheel's force, now more, now less, with the period of the bays, Ω = 2πv/spacing: a force at f' is heard at
 /// f = f' + mv/spacing, by R_m(f') of track::rolling_receptance(). Irregularity being stationary, what comes from different frequencies is independent: every order and either side of it is a source
 /// of its own. Where load stiffens the pads, R_m is larger by the same as the line of passing supports (passing_lines()), which is R_m(0) times the loads.
-/// Where seats differ, at fasteners that have failed, the rail scatters there: γ_m(f', f) = γ_m·½[K·C(f')·C(f) + K·C(f)·C(f')]/[K·C²(mv/spacing)], as passing_lines() has the standing load at the frequency
+/// Where every n-th fastener has failed, by the orders of the receptances over their period at the frequency in the middle (SeatOrders, scattered_orders()). Where seats differ at random the rail scatters there: γ_m(f', f) = γ_m·½[K·C(f')·C(f) + K·C(f)·C(f')]/[K·C²(mv/spacing)], as passing_lines() has the standing load at the frequency
 /// of the line, 2·P0·γ_m; what neighbouring wheels do there is left out.
 /// This is parametric excitation (Sheng, Jones & Thompson 2005, J. Sound Vib. 282).
 struct Modulation {
     double shift_hz = 0.0;                                ///< of either sign
     int bays = 0;                                         ///< m; 0 of differing seats
+    int failures = 0;                                     ///< order of the period of regularly failed seats, where SeatOrders has it
     std::array<std::complex<double>, 4> under_wheel{};    ///< of differing seats γ_m without the brackets, m/N; otherwise how many times R_m
 };
 
@@ -60,6 +64,6 @@ std::array<std::complex<double>, 4> forces_of(const ModulationTransfers& transfe
 
 /// Adds to the lines of passing supports what the forces of the lines make of each other: r_m += Σ_n R_{m−n}·F_n, in sweeps. Of sound fasteners without what feed_back() has more exactly, the
 /// first line's share in the higher ones.
-void feed_back_lines(const CaseParameters& parameters, const ModulationTransfers& transfers, TrackExcitation& track, int sweeps = 6);
+void feed_back_lines(const CaseParameters& parameters, const ModulationTransfers& transfers, TrackExcitation& track, int sweeps = 8);
 
 }  // namespace railpem::pem

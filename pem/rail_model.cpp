@@ -47,6 +47,11 @@ class ExactEvaluator : public RailEvaluator {
         return mean_;
     }
 
+    const track::RailReceptance& at_place(int place, lanes::Real omega) override {
+        if (place == 0) waves_.reset();
+        return at(static_cast<std::size_t>(place), omega);
+    }
+
   private:
     struct UniformTrack {
         track::SupportLaw law;
@@ -82,6 +87,7 @@ class ExactModel : public RailModel {
         }
     }
     std::unique_ptr<RailEvaluator> evaluator() const override { return std::make_unique<ExactEvaluator>(rails_); }
+    int places() const override { return static_cast<int>(rails_.size()); }
 
   private:
     std::vector<PreparedRail> rails_;

@@ -25,6 +25,7 @@ class DifferenceEvaluator : public RailEvaluator {
         for (std::size_t wheel = 0; wheel < result_.trackbed.size(); ++wheel) result_.trackbed[wheel] -= without.trackbed[wheel];
         return result_;
     }
+    const track::RailReceptance& at_place(int place, lanes::Real omega) override { return own_->at_place(place, omega); }  // without the equal seats: they swing by whole bays only
 
   private:
     std::unique_ptr<RailEvaluator> own_, equal_;
@@ -35,6 +36,7 @@ class SeatsThatDiffer : public RailModel {
   public:
     SeatsThatDiffer(std::unique_ptr<RailModel> own, std::unique_ptr<RailModel> equal) : own_(std::move(own)), equal_(std::move(equal)) {}
     std::unique_ptr<RailEvaluator> evaluator() const override { return std::make_unique<DifferenceEvaluator>(*own_, *equal_); }
+    int places() const override { return own_->places(); }
 
   private:
     std::unique_ptr<RailModel> own_, equal_;
@@ -46,6 +48,7 @@ struct Rolling {
     double speed_m_per_s;
     std::unique_ptr<RailModel> others;  ///< SeatsThatDiffer, or none
     std::optional<track::PadHistory> constant_loads;
+    std::optional<SeatPlaces> places;
 };
 
 class RollingEvaluator : public RailEvaluator {
@@ -88,6 +91,7 @@ class RollingModel : public RailModel {
     std::unique_ptr<RailEvaluator> evaluator() const override { return std::make_unique<RollingEvaluator>(rolling_); }
     const EqualSeats* equal_seats() const override { return &rolling_.equal; }
     const RailModel* beside_equal_seats() const override { return rolling_.others.get(); }
+    const SeatPlaces* seat_places() const override { return rolling_.places ? &*rolling_.places : nullptr; }
     const track::PadHistory* constant_loads() const override { return rolling_.constant_loads ? &*rolling_.constant_loads : nullptr; }
 
   private:
@@ -100,7 +104,7 @@ double stiffness_under_points(const track::ExactRail& rail) {
     for (const track::RailNode& point : rail.nodes) {
         if (point.point < 0) continue;
         for (const track::RailNode& node : rail.nodes) {
-            if (!node.supported || std::abs(node.position_m - point.position_m) > 1.01 * rail.spacing_m) continue;
+            if (!node.supported || node.pad_scale != 1.0 || std::abs(node.position_m - point.position_m) > 1.01 * rail.spacing_m) continue;
             sum += node.pad_stiffness_n_per_m * node.pad_scale;
             count += 1.0;
         }
@@ -190,7 +194,7 @@ std::unique_ptr<RailModel> rolling_rail(const CaseParameters& parameters, const 
     const Places places(mean.track, wheels_m);
     if (mean.track.pads.preload_strength == 0.0 && failure_period(mean.track) == 1) {
         const double sound = dynamic_equilibrium(mean).unloaded_dynamic_stiffness_n_per_m;
-        return std::make_unique<RollingModel>(Rolling{{mean.track, sound}, wheels_m, speed_m_per_s, {}, {}});
+        return std::make_unique<RollingModel>(Rolling{{mean.track, sound}, wheels_m, speed_m_per_s, {}, {}, {}});
     }
     std::optional<track::PadHistory> rolling;
     if (mean.track.pads.preload_strength > 0.0) rolling = track::pad_history(mean.track, wheels_m, wheel_load_n(parameters), speed_m_per_s);
@@ -198,7 +202,9 @@ std::unique_ptr<RailModel> rolling_rail(const CaseParameters& parameters, const 
     if (!parameters.track.failed_fasteners.empty()) rolling.reset();
     const double pad = stiffness_under_points(rails.front());
     auto others = std::make_unique<SeatsThatDiffer>(exact_rails(std::move(rails)), on_equal_seats(places, mean.track, wheels_m, pad));
-    return std::make_unique<RollingModel>(Rolling{{mean.track, pad}, wheels_m, speed_m_per_s, std::move(others), std::move(rolling)});
+    std::optional<SeatPlaces> seats;
+    if (const int period = failure_period(mean.track); period > 1) seats = SeatPlaces{period, places.first_bay};
+    return std::make_unique<RollingModel>(Rolling{{mean.track, pad}, wheels_m, speed_m_per_s, std::move(others), std::move(rolling), seats});
 }
 
 std::unique_ptr<RailModel> rolling_rail(const CaseParameters& parameters, const std::vector<double>& wheels_m, double speed_m_per_s, std::unique_ptr<RailModel> standing) {
@@ -207,7 +213,7 @@ std::unique_ptr<RailModel> rolling_rail(const CaseParameters& parameters, const 
     equal.unloaded_dynamic_stiffness_n_per_m = pad;
     equal.dynamic_stiffness_n_per_m.assign(equal.position_m.size(), pad);
     auto others = std::make_unique<SeatsThatDiffer>(std::move(standing), exact_rails({track::exact_rail(parameters.track, wheels_m, equal)}));
-    return std::make_unique<RollingModel>(Rolling{{parameters.track, pad}, wheels_m, speed_m_per_s, std::move(others), {}});
+    return std::make_unique<RollingModel>(Rolling{{parameters.track, pad}, wheels_m, speed_m_per_s, std::move(others), {}, {}});
 }
 
 }  // namespace railpem::pem

@@ -59,8 +59,8 @@ TEST(PassingModulation, SidesAreConjugate) {
     }
 }
 
-// The sweeps are counted, not ended by a tolerance: slopes by differences need a smooth prediction. Six leave 2e-4 of the lines up to the
-// first whole bay, which have the power, and 9e-3 of those beyond; three leave 1 and 8 %.
+// The sweeps are counted, not ended by a tolerance: slopes by differences need a smooth prediction. Eight leave less than 3e-4 of the lines up to the
+// first whole bay, which have the power, and 1e-2 of those beyond; six leave 5e-4 and 1.1 %.
 TEST(PassingModulation, LinesHaveSettled) {
     const Passing broken = passing(failed_case());
     TrackExcitation usual = broken.alone, longer = broken.alone;

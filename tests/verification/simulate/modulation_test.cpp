@@ -154,13 +154,16 @@ std::vector<LineError> line_errors(pem::CaseParameters c, double speed, std::siz
 
 }  // namespace
 
-// Every eighth fastener has a tenth of its stiffness left, 33 m/s. Measured: the first six lines, which have all of the power but that of the whole bays, are 0.7 % too small to 5.5 % too large; alone the fifth and
-// sixth were 11 and 15 % too small, the seventh 29 %, which is 8 % now.
+// Every eighth fastener has a tenth of its stiffness left, 33 m/s. Measured: the first six lines, which have all of the power but that of the whole bays, are 0.1 to 1.4 % too small, the seventh 3 %; alone the fifth and sixth are 15
+// and 20 % too small, the seventh 30 %.
 TEST(Modulation, LinesOfFailedFasteners) {
     auto c = paper_case(1);
     c.track.failed_fasteners = {{.every = 8, .remaining_stiffness_fraction = 0.1}};
     const std::vector<LineError> errors = line_errors(c, kSpeed, 7);
-    for (std::size_t line = 0; line < 7; ++line) EXPECT_LT(std::abs(errors[line].fed_back), line < 6 ? 0.065 : 0.1) << line + 1;
+    for (std::size_t line = 0; line < 7; ++line) {
+        std::printf("line %zu: alone %+.3f, fed back %+.3f\n", line + 1, errors[line].alone, errors[line].fed_back);
+        EXPECT_LT(std::abs(errors[line].fed_back), line < 6 ? 0.02 : 0.04) << line + 1;
+    }
     EXPECT_LT(errors[5].alone, -0.1);
 }
 
