@@ -74,7 +74,7 @@ Samples sampled_positions(const CaseParameters& parameters, const std::vector<do
     return samples;
 }
 
-/// Fourier coefficient m of −P0·ΣC over a period of n bays, for each order of a lane group, at each order's own
+/// Fourier coefficient m of −P0·ΣC over a period of n bays, for each order of a lane group, at half of each order's own
 /// frequency.
 std::array<std::array<std::complex<double>, 4>, lanes::width> coefficients(const CaseParameters& parameters, const Samples& train,
                                                               const std::array<int, lanes::width>& orders, int period,
