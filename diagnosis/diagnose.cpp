@@ -79,6 +79,7 @@ class Diagnosing {
         observations_ = held_again(best_of(naming_), believed_, observations_);
         coarse_ = coarse_observations(observations_);
         fit_again(naming_, believed_, context_);
+        naming_.beyond.reset();  // of the forces before
         drop_superfluous(naming_, options_.thresholds);
     }
 
@@ -99,7 +100,7 @@ class Diagnosing {
             const auto between = [this](const std::string& what) { say(what, 0.85); };
             if (naming_.blunt_corrections.sets.empty()) naming_.blunt_corrections = blunt_corrections(believed_, context_, between);
             std::optional<FittedSet> beyond;
-            if (!naming_.sets.empty() && leans(naming_.sets.front(), naming_.retuned.score())) beyond = fit_beyond_range(believed_, naming_.sets.front(), context_, {});
+            if (!naming_.sets.empty() && leans(naming_.sets.front(), naming_.retuned.score())) beyond = beyond_range(naming_.sets.front());
             study_.anonymous = sharpened_corrections(believed_, naming_.blunt_corrections, context_, between, [this] { return is_spent(1.0); }, beyond ? &beyond->fit : nullptr);
             if (beyond) study_.anonymous.push_back(std::move(*beyond));
             return;
@@ -118,6 +119,13 @@ class Diagnosing {
     const std::vector<LocatedEvidence>& left_by_best() {
         if (naming_.left_by_best.empty()) naming_.left_by_best = locate(naming_.sets.front().fit, context_);
         return naming_.left_by_best;
+    }
+
+    /// A set beyond its range; what the search has fitted of it is not fitted again.
+    std::optional<FittedSet> beyond_range(const FittedSet& leaning) {
+        const Candidate* member = leaning_member(believed_, leaning);
+        if (member && naming_.beyond && same_variant(naming_.beyond->effects.front().instance, member->instance)) return std::move(naming_.beyond);
+        return fit_beyond_range(believed_, leaning, context_, {});
     }
 
     /// Retuning leaves so much that no promise at its end says where to, and what was named does not stand.

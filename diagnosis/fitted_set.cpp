@@ -179,14 +179,18 @@ FittedSet fit_correction(const BelievedCase& believed, const FittedSet& beside, 
     return fit_set(believed, best, beside.effects, beside.released, {located.place}, context, options);
 }
 
-std::optional<FittedSet> fit_beyond_range(const BelievedCase& believed, const FittedSet& leaning, const LikelihoodContext& context, const FitOptions& options) {
+const Candidate* leaning_member(const BelievedCase& believed, const FittedSet& leaning) {
     const Unknown& furthest = leaning.fit.unknowns[furthest_beyond(leaning).unknown];
-    if (furthest.kind != UnknownKind::effect) return std::nullopt;
-    const std::size_t member = static_cast<std::size_t>(furthest.index) - believed.effects.size();
-    const EffectInstance& instance = leaning.effects[member].instance;
-    const Element element = element_of(*find_effect(instance.effect), instance);
-    if (element == Element::contact) return std::nullopt;
-    FittedSet set{.effects = {leaning.effects[member]}, .beyond = true};
+    if (furthest.kind != UnknownKind::effect) return nullptr;
+    const Candidate& member = leaning.effects[static_cast<std::size_t>(furthest.index) - believed.effects.size()];
+    return element_of(*find_effect(member.instance.effect), member.instance) == Element::contact ? nullptr : &member;
+}
+
+std::optional<FittedSet> fit_beyond_range(const BelievedCase& believed, const FittedSet& leaning, const LikelihoodContext& context, const FitOptions& options) {
+    const Candidate* member = leaning_member(believed, leaning);
+    if (!member) return std::nullopt;
+    const Element element = element_of(*find_effect(member->instance.effect), member->instance);
+    FittedSet set{.effects = {*member}, .beyond = true};
     Supposition own = suppose(believed, leaning.fit, set.effects, {}, {}, context);
     for (Unknown& unknown : own.unknowns)
         if (const EffectParameter* parameter = parameter_of(unknown)) widen(*parameter, unknown);

@@ -53,6 +53,9 @@ FittedSet fit_set(const BelievedCase& believed, const Fit& near, std::vector<Can
 /// Fits the free correction of a place beside what a set has named, if anything, from where its promise at that set's fit leads.
 FittedSet fit_correction(const BelievedCase& believed, const FittedSet& beside, const LocatedEvidence& located, const LikelihoodContext& context, const FitOptions& options);
 
+/// The member of a set that leans most on its range; nullptr where fit_beyond_range() gives none.
+const Candidate* leaning_member(const BelievedCase& believed, const FittedSet& leaning);
+
 /// The member of a set that leans most on its range, alone and with its parameters widened by their range either way (nothing that is positive falls below a fifth of its least): what the physics
 /// would have to be like that the set imitates. An anonymous set, of that member's place and with the prior of an unknown; `beyond` is set.
 /// None where what leans is a released number, and where that member is in the contact: steel on steel gives no more than its range, and what distorts more is a nonlinearity that may be anywhere between wheel and ground (play of 0.1 mm in the

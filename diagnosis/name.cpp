@@ -80,8 +80,8 @@ bool Search::is_outdone_beyond_range() {
     say("the best single beyond its range", 0.7);
     FittedSet from = *single;
     restore_caches(from.fit, context_);
-    const std::optional<FittedSet> beyond = fit_beyond_range(believed_, from, context_, {});
-    return beyond && beyond->score() - best.score() > best.score() - nothing;
+    result_.beyond = fit_beyond_range(believed_, from, context_, {});
+    return result_.beyond && result_.beyond->score() - best.score() > best.score() - nothing;
 }
 
 std::vector<Promise> Search::screened(const Fit& fit) {

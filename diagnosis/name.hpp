@@ -2,6 +2,7 @@
 // The search for the set of effects that was left out.
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,7 @@ struct NamingResult {
     std::vector<LocatedEvidence> left_by_best;     ///< what free corrections would still bring beside the best set; empty: not asked
     std::vector<LocatedEvidence> left_by_retuned;  ///< and beside the retuned case
     BluntCorrections blunt_corrections;            ///< free corrections of the evident places; without sets: not asked
+    std::optional<FittedSet> beyond;               ///< the best single beyond its range, where that was asked
     double unseen_share = 0.0;                     ///< of what a fit gains, what is there should gain in the unseen part: its length by that of the fitted one
     bool interrupted = false;
 };

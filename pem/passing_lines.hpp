@@ -13,7 +13,7 @@ namespace railpem::pem {
 /// Lines at m·v/(n·spacing), n = 1 or the period of failed fasteners: the deflection of the rail under the wheel loads is periodic along the track and acts like an
 /// irregularity. On sound fasteners it is that under rolling wheels (track::rolling_deflection()). Where some have failed it is that under
 /// standing loads, r(x) = −P0·Σ_j C_ij(x). C is the receptance with the wheels shifted by x, taken at half the frequency of the line: between that of the load, 0, and that at which it is felt (the symbol of Weyl). At the line's own the
-/// first eight lines of a marched record were up to 5 % too large, so they are within 2 % (Modulation.LinesOfFailedFasteners). Scaled by sleeper_passing.amplitude_factor for the
+/// first six lines of a marched record were 0.5 % too small to 4.8 % too large, so they are 0.1 to 1.4 % too small (Modulation.LinesOfFailedFasteners). Scaled by sleeper_passing.amplitude_factor for the
 /// lines of the intact bays, on sound fasteners by no more than own_passing(); lines that only the failed fasteners cause are always in. Empty when there is nothing to feel.
 /// `rolling`: RailModel::constant_loads() of the case, where it is known.
 std::vector<SpectralLine> passing_lines(const CaseParameters& parameters, const std::vector<double>& wheels_m, double speed_m_per_s, const track::PadHistory* rolling = nullptr);

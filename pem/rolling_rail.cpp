@@ -98,14 +98,14 @@ class RollingModel : public RailModel {
     Rolling rolling_;
 };
 
-/// Mean K0 of the supports within a bay of a wheel: that of the equal seats on which the motion is.
+/// Mean K0 of the sound supports within a bay of a wheel: that of the equal seats on which the motion is.
 double stiffness_under_points(const track::ExactRail& rail) {
     double sum = 0.0, count = 0.0;
     for (const track::RailNode& point : rail.nodes) {
         if (point.point < 0) continue;
         for (const track::RailNode& node : rail.nodes) {
             if (!node.supported || node.pad_scale != 1.0 || std::abs(node.position_m - point.position_m) > 1.01 * rail.spacing_m) continue;
-            sum += node.pad_stiffness_n_per_m * node.pad_scale;
+            sum += node.pad_stiffness_n_per_m;
             count += 1.0;
         }
     }

@@ -53,14 +53,15 @@ SeatOrders seat_orders(const SeatPlaceReceptances& receptances) {
     const std::size_t places = receptances.at.front().size();
     const double share = 1.0 / static_cast<double>(places);
     result.highest = (static_cast<int>(places) - 1) / 2;
-    for (const std::vector<WheelPairs>& line : receptances.at) {
-        std::vector<WheelPairs>& orders = result.at.emplace_back(static_cast<std::size_t>(2 * result.highest + 1), WheelPairs{});
-        for (int m = -result.highest; m <= result.highest; ++m)
-            for (std::size_t k = 0; k < places; ++k) {
-                const Phasor turn = std::polar(share, -kTwoPi * m * (receptances.places.first_bay / receptances.places.period_bays + static_cast<double>(k) * share));
-                for (std::size_t pair = 0; pair < 16; ++pair) orders[static_cast<std::size_t>(m + result.highest)][pair] += turn * line[k][pair];
-            }
-    }
+    const auto orders = static_cast<std::size_t>(2 * result.highest + 1);
+    result.at.assign(receptances.at.size(), std::vector<WheelPairs>(orders, WheelPairs{}));
+    for (std::size_t order = 0; order < orders; ++order)
+        for (std::size_t k = 0; k < places; ++k) {
+            const double m = static_cast<double>(order) - result.highest;
+            const Phasor turn = std::polar(share, -kTwoPi * m * (receptances.places.first_bay / receptances.places.period_bays + static_cast<double>(k) * share));
+            for (std::size_t line = 0; line < receptances.at.size(); ++line)
+                for (std::size_t pair = 0; pair < 16; ++pair) result.at[line][order][pair] += turn * receptances.at[line][k][pair];
+        }
     return result;
 }
 

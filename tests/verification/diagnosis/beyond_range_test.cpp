@@ -46,6 +46,26 @@ TEST(BeyondRange, AnAbsorberOnTheAxlesActsLikeAnAxleThatBendsTooLow) {
         }
 }
 
+// A mode of axles at 36 Hz leans on the 50 Hz of its range with 260 nats, and with a gain that is off 280; beyond it more than twice that. The gain of a second sensor, which is off, too, is not looked for beside it.
+TEST(BeyondRange, EndsTheSearchForThirdMembers) {
+    Synthesised made = two_speeds(80.0);
+    const auto gain_of = [](const std::string& channel) { return EffectInstance{.effect = "sensor-gain", .values = {{"gain", 1.005}}, .choices = {{"channel", channel}}}; };
+    made.truth.effects = {{.effect = "wheelset-bending", .values = {{"frequency_hz", 36.0}, {"damping_ratio", 0.05}, {"modal_mass_kg", 1500.0}}, .choices = {}}, gain_of("bogie_1"), gain_of("bogie_2")};
+    made.draw(6);
+    bool asked = false;
+    NamingOptions options;
+    options.progress = [&](const std::string& what, double) { asked = asked || what == "the best single beyond its range"; };
+    for (const Effect& effect : effects())
+        if (effect.id != "wheelset-bending" && effect.id != "sensor-gain") options.without.push_back(effect.id);
+    const NamingResult found = name_physics(made.believed, made.context(Part::fitted, 2), options);
+    const auto bends_among = [&](std::size_t members) {
+        return std::any_of(found.sets.begin(), found.sets.end(), [&](const FittedSet& set) { return set.members() == members && set.effects.front().instance.effect == "wheelset-bending"; });
+    };
+    EXPECT_TRUE(asked);
+    EXPECT_TRUE(bends_among(2));
+    EXPECT_FALSE(bends_among(3));
+}
+
 // Bogies three times as heavy are a wrong number, 4.2 times as heavy are not: where nothing else can be named, nothing is, and what remains says why.
 TEST(BeyondRange, ANumberFurtherOffThanAWrongOneIsSaidAndNotNamed) {
     DiagnoseOptions options{.threads = 2};
