@@ -16,6 +16,7 @@ namespace railpem::diagnosis {
 
 namespace {
 
+constexpr double kSureOf = 0.5;        ///< of what a further member has to bring: one whose fit cannot come to that is given up before its end
 constexpr double kMinor = 0.05;        ///< share of what a single explains: for what is left of that order nothing else is sought in its place. Two may stand in for one (pads that stiffen and a mass on the rail for ballast)
 // Shares of the effort, from which on none of these begins that would not end: the search from afar with the sharp likelihood, after a blunt one or as the first of its kind, and third members.
 constexpr double kSharpFromAfar = 0.7, kFirstFromAfar = 1.3, kThirdMember = 0.8;
@@ -147,8 +148,11 @@ bool Search::further_round(int members) {
     restore_caches(from.fit, context_);
     const double share = 0.65 + 0.1 * (members - 2);
     const std::vector<Promise> promises = screened(from.fit);
-    // Beside a law that is an approximation the rest of its own imitates much.
-    const double least = is_approximate(from) ? nats_left(from, result_.retuned.score(), options_.least_promise) : options_.least_promise;
+    // Beside a law that is an approximation the rest of its own imitates much: what brings no more than that is dropped by drop_superfluous().
+    const bool approximate = is_approximate(from);
+    const double least = approximate ? nats_left(from, result_.retuned.score(), options_.least_promise) : options_.least_promise;
+    const double worth = approximate && !trials_.is_blunt() ? nats_left(from, result_.retuned.score(), options_.least_gain) : options_.least_gain;
+    const double ahead = worth > options_.least_gain ? kSureOf * worth : 0.0;
     std::vector<Starts> chosen = worth_refitting(promises, result_.candidates, least, options_.later_refits + 2);
     const auto is_member = [&](const Starts& starts) {  // as often as it may be
         const EffectInstance& instance = result_.candidates[starts.front().candidate].instance;
@@ -166,15 +170,16 @@ bool Search::further_round(int members) {
     double highest = -1e300;
     for (const Starts& starts : chosen) {
         if (is_spent()) break;
-        const FittedSet& tried = trials_.try_starts(from.fit, starts, from.effects, from.released, share);
+        const FittedSet& tried = trials_.try_starts(from.fit, starts, from.effects, from.released, share, ahead);
         if (tried.score() > highest) highest = tried.score(), winner = tried.effects.back();
     }
     for (const std::string& key : releasable(from.fit, from.released, 1)) {
         std::vector<std::string> released = from.released;
         released.push_back(key);
-        trials_.try_set(from.fit, from.effects, released, share);
+        trials_.try_set(from.fit, from.effects, released, share, false, ahead);
     }
     if (members == 2 && highest > from.score() + options_.least_gain) trials_.swap_first(winner, from, share);
+    if (worth > options_.least_gain) trials_.drop_beside(from, worth);
     const FittedSet* larger = trials_.best(static_cast<std::size_t>(members));
     return larger && larger->score() > from.score() + options_.least_gain;
 }

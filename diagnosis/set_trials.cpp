@@ -6,6 +6,7 @@
 
 #include "diagnosis/best_start.hpp"
 #include "diagnosis/comb_relatives.hpp"
+#include "diagnosis/verdict.hpp"
 
 namespace railpem::diagnosis {
 
@@ -65,13 +66,14 @@ void SetTrials::retune() {
     result_.retuned.held_out = part_log_likelihood(result_.retuned.fit, context_, Part::held_out);
 }
 
-const FittedSet& SetTrials::try_set(const Fit& near, std::vector<Candidate> members, std::vector<std::string> released, double share, bool far) {
+const FittedSet& SetTrials::try_set(const Fit& near, std::vector<Candidate> members, std::vector<std::string> released, double share, bool far, double ahead) {
     const std::string text = text_of(members, released);
     say(text, share);
     FitOptions fit_options;
     fit_options.between = [this, text, share] { say(text, share); };
     fit_options.from_far = far && !is_blunt();
     if (far) fit_options.stage_iterations = kFarIterations;
+    else fit_options.room = -ahead;
     fit_options.rival = &most_probable();
     FittedSet fitted = fit_set(believed_, near, std::move(members), std::move(released), {}, context_, fit_options);
     result_.sets.push_back(std::move(fitted));
@@ -88,7 +90,7 @@ void SetTrials::let_go() {
     }
 }
 
-const FittedSet& SetTrials::try_starts(const Fit& near, const Starts& starts, const std::vector<Candidate>& members, const std::vector<std::string>& released, double share) {
+const FittedSet& SetTrials::try_starts(const Fit& near, const Starts& starts, const std::vector<Candidate>& members, const std::vector<std::string>& released, double share, double ahead) {
     const std::size_t first = result_.sets.size();
     for (const Starts& own : climbed_apart(starts, result_.candidates)) {
         Started best = best_start(believed_, near, own, result_.candidates, members, released, context_);
@@ -97,7 +99,7 @@ const FittedSet& SetTrials::try_starts(const Fit& near, const Starts& starts, co
         // What replaces a law of the case begins far below it, however mild: it gets the way of the retuned case, blunt first.
         const bool far = best.log_posterior < near.log_posterior - kFar;
         const std::size_t here = result_.sets.size();
-        try_set(best.near, std::move(with), released, share, far);
+        try_set(best.near, std::move(with), released, share, far, ahead);
         try_relatives(here, share);
     }
     const auto better = [](const FittedSet& a, const FittedSet& b) { return a.score() < b.score(); };
@@ -188,6 +190,13 @@ void SetTrials::swap_first(const Candidate& second, const FittedSet& from, doubl
     for (const FittedSet* single : singles)
         if (firsts.size() < kSwaps && single->score() > result_.retuned.score()) firsts.push_back(single->effects[0]);
     for (const Candidate& first : firsts) try_set(result_.retuned.fit, {first, second}, {}, share);
+}
+
+void SetTrials::drop_beside(const FittedSet& smaller, double least) {
+    const auto says_no_more = [&](const FittedSet& set) { return set.members() > smaller.members() && contains(set, smaller) && set.score() < smaller.score() + least; };
+    for (const FittedSet& set : result_.sets)
+        if (says_no_more(set)) result_.dropped.push_back(without_fit(set));
+    std::erase_if(result_.sets, says_no_more);
 }
 
 const FittedSet* SetTrials::best(std::size_t members) const {

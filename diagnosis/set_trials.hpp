@@ -28,12 +28,12 @@ class SetTrials {
     /// Fits the believed case with nothing added.
     void retune();
 
-    /// Fits one set from a fit near it. `far`: with the likelihood blunted first, in few steps of each stage.
-    const FittedSet& try_set(const Fit& near, std::vector<Candidate> members, std::vector<std::string> released, double share, bool far = false);
+    /// Fits one set from a fit near it. `far`: with the likelihood blunted first, in few steps of each stage; else it is given up where it cannot come near the most probable so far, and `ahead` nats beyond it.
+    const FittedSet& try_set(const Fit& near, std::vector<Candidate> members, std::vector<std::string> released, double share, bool far = false, double ahead = 0.0);
 
     /// Fits the best start of a variant beside `members`; the best two distances of a comb of lines (climbed_apart()), and also from the best of the distances that share lines with it. The better. A comb that gains hardly more over `near` than
-    /// its decoys (comb_decoys()) is a noise of its shape, and cannot be: its score is −∞.
-    const FittedSet& try_starts(const Fit& near, const Starts& starts, const std::vector<Candidate>& members, const std::vector<std::string>& released, double share);
+    /// its decoys (comb_decoys()) is a noise of its shape, and cannot be: its score is −∞. `ahead` as above.
+    const FittedSet& try_starts(const Fit& near, const Starts& starts, const std::vector<Candidate>& members, const std::vector<std::string>& released, double share, double ahead = 0.0);
 
     /// A fit of the best set of so many members that ran out of steps goes on: what it has left to gain would be put down to the next member.
     void finish_best(std::size_t members);
@@ -44,6 +44,9 @@ class SetTrials {
 
     /// Pairs in which `second` stays and the first of the set `from`, a single, is replaced by the other promising singles.
     void swap_first(const Candidate& second, const FittedSet& from, double share);
+
+    /// Takes out what holds `smaller` and brings less than `least` nats beside it, so that nothing is looked for beside that. Like drop_superfluous().
+    void drop_beside(const FittedSet& smaller, double least);
 
     /// The best set of so many members; none: nullptr.
     const FittedSet* best(std::size_t members) const;

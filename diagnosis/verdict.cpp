@@ -131,16 +131,11 @@ bool names_friction(const FittedSet& set) {
     return std::any_of(set.effects.begin(), set.effects.end(), [](const Candidate& member) { return is_friction(member.instance); });
 }
 
-namespace {
-
-/// What a set explains, without what its fit holds.
 FittedSet without_fit(const FittedSet& set) {
     FittedSet own{.effects = set.effects, .released = set.released, .log_prior = set.log_prior, .held_out = set.held_out};
     own.fit.log_evidence = set.fit.log_evidence;
     return own;
 }
-
-}  // namespace
 
 bool drop_superfluous(NamingResult& naming, const VerdictThresholds& thresholds) {
     std::vector<FittedSet> kept;

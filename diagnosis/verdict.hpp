@@ -30,6 +30,9 @@ struct Decision {
     double unknown_score = -1e300;          ///< of the best anonymous correction
 };
 
+/// What a set explains, without what its fit holds.
+FittedSet without_fit(const FittedSet& set);
+
 /// Takes out the sets that the unseen part speaks against, and those that say no more than a smaller one that was fitted too: each further member has to bring `least_gain`, and what no
 /// fit has seen has to agree. Probabilities and rivals are then those of the sets that are left. True when the best one was taken out.
 bool drop_superfluous(NamingResult& naming, const VerdictThresholds& thresholds);

@@ -29,9 +29,10 @@ std::vector<Starts> worth_refitting(const std::vector<Promise>& promises, const 
     std::map<std::string, std::size_t> of_variant;
     std::map<bool, double> best_of_kind;
     std::vector<Starts> chosen;
+    const double of_a_belief = std::max(std::min(least, kLeastOfABelief), least / kMostOfABelief);
     for (const Promise& promise : promises) {
         const EffectInstance& instance = candidates[promise.candidate].instance;
-        if (promise.gain < (find_effect(instance.effect)->retuned ? std::min(least, kLeastOfABelief) : least)) continue;
+        if (promise.gain < (find_effect(instance.effect)->retuned ? of_a_belief : least)) continue;
         const double best = best_of_kind.try_emplace(element_of(*find_effect(instance.effect), instance) == Element::sensor, promise.gain).first->second;
         if (promise.gain < std::max(kLeastShare * best, kLeastShareOfAll * promises.front().gain)) continue;
         if (!find_effect(instance.effect)->replaces && candidates[promise.candidate].whole && !candidates[promise.candidate].read_off && promise.strength < kLeastWhole) continue;

@@ -50,10 +50,11 @@ TEST(SetTrials, ACombThatIsThereStays) {
     EXPECT_TRUE(std::isfinite(dips.score()));
 }
 
+EffectInstance gain_of(const std::string& channel, double gain) { return {.effect = "sensor-gain", .values = {{"gain", gain}}, .choices = {{"channel", channel}}}; }
+
 /// Gains of two channels, sought one after the other; what the search then tries without either of them, by name.
 std::vector<std::string> tried_without(double known_is_worse_by) {
     Synthesised made = synthesised(paper_believed({"vehicle.bogie_mass_kg"}), {20.0}, 60.0, {"bogie_1", "wheel_1", "wheel_2"}, kSmall);
-    const auto gain_of = [](const std::string& channel, double gain) { return EffectInstance{.effect = "sensor-gain", .values = {{"gain", gain}}, .choices = {{"channel", channel}}}; };
     made.truth.effects = {gain_of("bogie_1", 1.2), gain_of("axlebox_1", 0.8)};
     made.draw(1);
     const LikelihoodContext context = made.context();
@@ -83,6 +84,32 @@ TEST(SetTrials, AKnownSetIsNotFittedAgain) { EXPECT_EQ(tried_without(0.0), std::
 
 // One that came to a poor end is.
 TEST(SetTrials, AKnownSetIsFittedAgainFromABetterPlace) { EXPECT_EQ(tried_without(1e9), (std::vector<std::string>{"bogie_1", "axlebox_1"})); }
+
+// A gain of a hundredth brings 60 nats beside another of a fifth. Where it would have to bring a million its fit ends at once, and where it has to bring 1000 the pair is taken out.
+TEST(SetTrials, WhatCannotBringEnoughIsGivenUpAndTakenOut) {
+    Synthesised made = synthesised(paper_believed({"vehicle.bogie_mass_kg"}), {20.0}, 60.0, {"bogie_1", "wheel_1", "wheel_2"}, kSmall);
+    made.truth.effects = {gain_of("bogie_1", 1.2), gain_of("axlebox_1", 0.99)};
+    made.draw(1);
+    const LikelihoodContext context = made.context();
+    const NamingOptions options;
+    NamingResult result;
+    SetTrials trials(made.believed, context, options, result);
+    trials.retune();
+    const Candidate first{.instance = made.truth.effects[0], .probe = made.truth.effects[0]}, second{.instance = made.truth.effects[1], .probe = made.truth.effects[1]};
+    const FittedSet single = trials.try_set(result.retuned.fit, {first}, {}, 0.0);
+    EXPECT_FALSE(trials.try_set(single.fit, {first, second}, {}, 0.0, false, 1e6).fit.converged);
+    result.sets.pop_back();
+    const FittedSet& pair = trials.try_set(single.fit, {first, second}, {}, 0.0);
+    EXPECT_TRUE(pair.fit.converged);
+    const double brings = pair.score() - single.score();
+    EXPECT_GT(brings, 5.0);
+    trials.drop_beside(single, 0.99 * brings);
+    EXPECT_EQ(trials.leading().members(), 2U);
+    trials.drop_beside(single, 1.01 * brings);
+    EXPECT_EQ(trials.leading().members(), 1U);
+    ASSERT_EQ(result.dropped.size(), 1U);
+    EXPECT_EQ(result.dropped.front().score(), single.score() + brings) << "the report reads from it what its members bring";
+}
 
 }  // namespace
 }  // namespace railpem::diagnosis

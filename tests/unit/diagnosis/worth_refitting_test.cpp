@@ -44,6 +44,13 @@ TEST(WorthRefitting, WhatOnlyGivesUpABeliefNeedsLess) {
     EXPECT_EQ(labels(worth_refitting(promises, candidates, 7.0, 8), candidates), std::vector<std::string>{"sleeper-passing"});
 }
 
+// 190 nats of 3.3 promised: what has to bring 3400 beside a law that is an approximation is not asked where it promises 10.
+TEST(WorthRefitting, ABeliefThatCannotBringEnoughIsKept) {
+    const std::vector<Candidate> candidates = {candidate("sleeper-passing", {})};
+    EXPECT_TRUE(worth_refitting({promise(0, 10.0)}, candidates, 3400.0, 8).empty());
+    EXPECT_EQ(worth_refitting({promise(0, 57.0)}, candidates, 3400.0, 8).size(), 1U);
+}
+
 // Grid points of one variant are starts of one fit.
 TEST(WorthRefitting, GridPointsOfAVariantGoTogether) {
     std::vector<Candidate> candidates(5, candidate("rail-damper", {}));
