@@ -149,6 +149,8 @@ void add_modulation(const pem::CaseParameters& parameters, double speed, bool of
     own.of_irregularity = with_what_comes_back(own.transfers, own.felt.front());
 }
 
+bool has_forces(const pem::CaseParameters& parameters) { return has_friction(parameters) || has_own_forces(parameters); }
+
 /// What does not depend on the excitation, or is costly. Forces of the suspension's own are added to `expected` at once.
 ExpectationCache prepared(const pem::CaseParameters& parameters, double speed, const std::vector<ObservedChannel>& channels, const FineGrid& grid, double bin_hz,
                           const ExpectationOptions& options, const ExpectationCache* known, Reuse reuse, ExpectedSpectra& expected) {
@@ -172,6 +174,7 @@ ExpectationCache prepared(const pem::CaseParameters& parameters, double speed, c
     if (has_friction(parameters)) add_friction(parameters, solved, {sources, own.level_rails, options.friction_power, options.realised_friction.get()}, channels, bin_hz, expected);
     if (options.realised_friction) follow_damping(parameters, solved, *options.realised_friction, channels, own.transfers);
     if (has_own_forces(parameters)) add_own_forces(parameters, solved, channels, bin_hz, expected);
+    if (has_forces(parameters)) own.forces = expected.values;
     own.friction = model.car.friction;
     own.pads = pem::pad_transfers(parameters, model, same_rail && !known->pads.rail.empty() ? &known->pads : nullptr);
     own.track = same_rail ? pem::with_other_vehicle(known->track, parameters, model, speed, options.sharp) : pem::track_excitation(parameters, wheels, speed, &model, options.sharp);
@@ -184,12 +187,25 @@ ExpectationCache prepared(const pem::CaseParameters& parameters, double speed, c
     return own;
 }
 
+/// What forces of the suspension's own add, as other sensors see it.
+void see_forces(const std::vector<ObservedChannel>& channels, const pem::CaseParameters& before, const pem::CaseParameters& parameters, double bin_hz, std::size_t first_bin, ExpectationCache& own) {
+    const std::size_t size = channels.size();
+    std::vector<Complex> seen(size);
+    for (std::size_t at = 0, bin = first_bin; at < own.forces.size(); at += size * size, ++bin) {
+        const double frequency = static_cast<double>(bin) * bin_hz;
+        for (std::size_t c = 0; c < size; ++c) seen[c] = channel_factor(parameters, channels[c], frequency) / channel_factor(before, channels[c], frequency);
+        for (std::size_t j = 0; j < size; ++j)
+            for (std::size_t i = 0; i < size; ++i) own.forces[at + j * size + i] *= seen[i] * std::conj(seen[j]);
+    }
+}
+
 /// The cache of a case whose sensors alone are others.
-ExpectationCache with_other_sensors(const ExpectationCache& known, const pem::CaseParameters& parameters, const std::vector<ObservedChannel>& channels) {
+ExpectationCache with_other_sensors(const ExpectationCache& known, const pem::CaseParameters& parameters, const std::vector<ObservedChannel>& channels, double bin_hz, std::size_t first_bin) {
     pem::CaseParameters before = parameters;
     before.sensors = known.sensors;
     ExpectationCache own = known;
     own.sensors = parameters.sensors;
+    see_forces(channels, before, parameters, bin_hz, first_bin, own);
     for (std::size_t c = 0; c < channels.size(); ++c)
         for (std::size_t line = 0; line < known.transfers.lines; ++line) {
             const double frequency = known.transfers.from_hz + static_cast<double>(line) * known.transfers.step_hz;
@@ -239,13 +255,12 @@ ExpectedSpectra expected_spectra(const pem::CaseParameters& parameters, double s
     const FineGrid grid = fine_grid(kernel, expected.first_bin, bins, options.oversampling);
     const recordings::KernelWeights weights =
         options.weights.weights.empty() ? expectation_weights(kernel, options.oversampling) : options.weights;
-    const bool has_forces = has_friction(parameters) || has_own_forces(parameters);
-    if (has_forces && reuse >= Reuse::motion) reuse = Reuse::rail;  // what they add is no transfer
     // With all transfers the excitation's lines are those of the cache; pads that stiffen under load do not share it.
     ExpectationCache own;
-    if (reuse == Reuse::motion) own = with_other_sensors(*known, parameters, channels);
+    if (reuse == Reuse::motion) own = with_other_sensors(*known, parameters, channels, bin, expected.first_bin);
     else if (reuse < Reuse::motion) own = prepared(parameters, speed, channels, grid, bin, options, known, reuse, expected);
     const ExpectationCache& parts = reuse >= Reuse::transfers ? *known : own;
+    if (reuse >= Reuse::motion && !parts.forces.empty()) expected.values = parts.forces;
     const pem::Excitation excitation = pem::excitation(parameters, vehicle::wheel_positions(parameters.vehicle), speed, &parts.track);
     const MetPowers irregularity = met_powers(parameters, excitation.broadband.front(), speed, grid, known ? &known->powers : nullptr);
     if (reuse == Reuse::broadband && parts.broadband.size() == expected.values.size()) expected.values = parts.broadband;

@@ -85,6 +85,7 @@ struct ExpectationCache {
     std::vector<pem::SensorParameters> sensors;      ///< that are part of them
     pem::TrackExcitation track;
     vehicle::FrictionDamping friction;               ///< as linearised: where the next linearisation starts
+    std::vector<std::complex<double>> forces;        ///< ExpectedSpectra::values of what the suspension's own forces add; empty without any
     pem::PadTransfers pads;                          ///< of pads that load stiffens
     pem::ModulationTransfers modulation;
     std::vector<pem::Modulation> orders;

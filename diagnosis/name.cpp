@@ -136,23 +136,8 @@ void Search::first_round() {
     for (const std::string& key : keys) trials_.try_set(result_.retuned.fit, {}, {key}, share += step);
 }
 
-bool Search::further_round(int members) {
-    trials_.finish_best(static_cast<std::size_t>(members - 1));
-    const FittedSet* base = trials_.best(static_cast<std::size_t>(members - 1));
-    const FittedSet* before = trials_.best(static_cast<std::size_t>(members - 2));
-    const double smaller = before ? before->score() : result_.retuned.score();
-    if (!base || base->score() < smaller + options_.least_gain) return false;
-    if (extended_[members] == base->score()) return false;  // tried already, to no avail
-    extended_[members] = base->score();
-    FittedSet from = *base;
-    restore_caches(from.fit, context_);
-    const double share = 0.65 + 0.1 * (members - 2);
+std::vector<Starts> Search::worth_adding(const FittedSet& from, double least) {
     const std::vector<Promise> promises = screened(from.fit);
-    // Beside a law that is an approximation the rest of its own imitates much: what brings no more than that is dropped by drop_superfluous().
-    const bool approximate = is_approximate(from);
-    const double least = approximate ? nats_left(from, result_.retuned.score(), options_.least_promise) : options_.least_promise;
-    const double worth = approximate && !trials_.is_blunt() ? nats_left(from, result_.retuned.score(), options_.least_gain) : options_.least_gain;
-    const double ahead = worth > options_.least_gain ? kSureOf * worth : 0.0;
     std::vector<Starts> chosen = worth_refitting(promises, result_.candidates, least, options_.later_refits + 2);
     const auto is_member = [&](const Starts& starts) {  // as often as it may be
         const EffectInstance& instance = result_.candidates[starts.front().candidate].instance;
@@ -166,9 +151,28 @@ bool Search::further_round(int members) {
     if (trials_.is_blunt() || leaves_little()) std::erase_if(chosen, replaces);
     else add_unpromised(promises, result_.candidates, chosen);
     std::erase_if(chosen, is_member);
+    return chosen;
+}
+
+bool Search::further_round(int members) {
+    trials_.finish_best(static_cast<std::size_t>(members - 1));
+    const FittedSet* base = trials_.best(static_cast<std::size_t>(members - 1));
+    const FittedSet* before = trials_.best(static_cast<std::size_t>(members - 2));
+    const double smaller = before ? before->score() : result_.retuned.score();
+    if (!base || base->score() < smaller + options_.least_gain) return false;
+    if (extended_[members] == base->score()) return false;  // tried already, to no avail
+    extended_[members] = base->score();
+    FittedSet from = *base;
+    restore_caches(from.fit, context_);
+    const double share = 0.65 + 0.1 * (members - 2);
+    // Beside a law that is an approximation the rest of its own imitates much: what brings no more than that is dropped by drop_superfluous().
+    const bool approximate = is_approximate(from);
+    const double least = approximate ? nats_left(from, result_.retuned.score(), options_.least_promise) : options_.least_promise;
+    const double worth = approximate && !trials_.is_blunt() ? nats_left(from, result_.retuned.score(), options_.least_gain) : options_.least_gain;
+    const double ahead = worth > options_.least_gain ? kSureOf * worth : 0.0;
     Candidate winner;
     double highest = -1e300;
-    for (const Starts& starts : chosen) {
+    for (const Starts& starts : worth_adding(from, least)) {
         if (is_spent()) break;
         const FittedSet& tried = trials_.try_starts(from.fit, starts, from.effects, from.released, share, ahead);
         if (tried.score() > highest) highest = tried.score(), winner = tried.effects.back();

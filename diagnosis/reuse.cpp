@@ -21,7 +21,7 @@ bool depends_on_level(const Trial& trial) {
 Reuse shared_with_element(const Trial& trial, Element element) {
     switch (element) {
         case Element::irregularity: return depends_on_level(trial) ? Reuse::rail : Reuse::transfers;
-        case Element::sensor: return depends_on_level(trial) ? Reuse::rail : Reuse::motion;
+        case Element::sensor: return Reuse::motion;
         case Element::pad:
         case Element::rail:
         case Element::support: return Reuse::nothing;
@@ -58,6 +58,13 @@ Reuse shared_with(const Trial& trial, const EffectInstance& effect) {
     const Effect& own = *find_effect(effect.effect);
     if (own.lines_alone) return shared_with_lines(trial);
     return shared_with_element(trial, own.excites ? Element::irregularity : element_of(own, effect));
+}
+
+Reuse shared_with_probe(const Trial& trial, const EffectInstance& probe) {
+    const Effect& own = *find_effect(probe.effect);
+    if (own.retuned) return shared_with(trial, probe);
+    if (own.lines_alone) return Reuse::broadband;
+    return own.excites || element_of(own, probe) == Element::irregularity ? Reuse::transfers : shared_with(trial, probe);
 }
 
 bool moves(const Unknown& unknown, const Trial& trial, const Observation& observation, std::size_t o) {

@@ -31,7 +31,7 @@ std::vector<PredictionDerivative> directions(const Fit& fit, const std::vector<C
         Trial trial = fit.trial;
         trial.effects.push_back(candidates[first + c].probe);
         try {
-            const ExpectedSpectra with = predict_like(fit.predictions, trial, context, o, shared_with(trial, candidates[first + c].probe));
+            const ExpectedSpectra with = predict_like(fit.predictions, trial, context, o, shared_with_probe(trial, candidates[first + c].probe));
             own.values.resize(with.values.size());
             for (std::size_t k = 0; k < with.values.size(); ++k)
                 own.values[k] = (with.values[k] - fit.predictions[o].values[k]);

@@ -82,6 +82,9 @@ class Search {
     void rescue_beside();
     void first_round();
 
+    /// What may be a further member of a set: of `least` nats of promise, and whatever replaces a law, where free corrections see something.
+    std::vector<Starts> worth_adding(const FittedSet& from, double least);
+
     /// Adds a member to the best smaller set, then swaps the others. False when nothing was gained.
     bool further_round(int members);
 
