@@ -31,7 +31,7 @@ Effect failed_fasteners() {
                         .typical = 0.1,
                         .strength = true,
                         .nothing = 1.0,
-                        .inexact = 0.12,  // 0.3 left of every tenth was 0.337 at three speeds
+                        .inexact = 0.12,  // 0.3 left of every tenth was 0.332 at three speeds (docs/proof/README.md)
                         .says = "what is left of stiffness and damping at a failed seat"}},
         .choices = {{.name = "every",
                      .options = whole_numbers(2, 100),
