@@ -20,7 +20,8 @@ inline constexpr double kLeastRelease = 3.0;
 /// The same of an effect that only gives up a belief (Effect::retuned): sleeper passing nine times as strong promised 3.3 and brought 190, three times as strong 1.8. Its power grows with the square.
 inline constexpr double kLeastOfABelief = 1.5;
 
-/// Times its promise that it may bring (190 of 3.3). Beside 1 kN of friction, where less than 3400 nats say nothing, sleeper passing of 10 was fitted and brought 45.
+/// Times its promise that it may bring (190 of 3.3): where thousands of nats are asked beside a law that is an approximation, what promises ten is not fitted. What promises more is, and given up by SetTrials::try_set() (253 beside 1 kN of friction, which
+/// brought 45 of 3400).
 inline constexpr double kMostOfABelief = 60.0;
 
 /// What is worth a refit: at most `most` variants of `least` nats or more (where an effect only gives up a belief: of kLeastOfABelief, and of what can become `least`), few per kind, few starting points per

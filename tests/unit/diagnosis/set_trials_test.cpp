@@ -85,7 +85,7 @@ TEST(SetTrials, AKnownSetIsNotFittedAgain) { EXPECT_EQ(tried_without(0.0), std::
 // One that came to a poor end is.
 TEST(SetTrials, AKnownSetIsFittedAgainFromABetterPlace) { EXPECT_EQ(tried_without(1e9), (std::vector<std::string>{"bogie_1", "axlebox_1"})); }
 
-// A gain of a hundredth brings 60 nats beside another of a fifth. Where it would have to bring a million its fit ends at once, and where it has to bring 1000 the pair is taken out.
+// A gain that is off by a hundredth beside another by a fifth. Where it would have to bring a million nats its fit ends at once; where it has to bring more than it does the pair is taken out.
 TEST(SetTrials, WhatCannotBringEnoughIsGivenUpAndTakenOut) {
     Synthesised made = synthesised(paper_believed({"vehicle.bogie_mass_kg"}), {20.0}, 60.0, {"bogie_1", "wheel_1", "wheel_2"}, kSmall);
     made.truth.effects = {gain_of("bogie_1", 1.2), gain_of("axlebox_1", 0.99)};

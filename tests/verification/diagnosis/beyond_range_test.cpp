@@ -46,7 +46,7 @@ TEST(BeyondRange, AnAbsorberOnTheAxlesActsLikeAnAxleThatBendsTooLow) {
         }
 }
 
-// A mode of axles at 36 Hz leans on the 50 Hz of its range with 260 nats, and with a gain that is off 280; beyond it more than twice that. The gain of a second sensor, which is off, too, is not looked for beside it.
+// A mode of axles at 36 Hz leans on the 50 Hz of its range, and a gain that is off brings little beside it; beyond its range the mode explains more than twice what both do. The gain of a second sensor, which is off, too, is not looked for beside it.
 TEST(BeyondRange, EndsTheSearchForThirdMembers) {
     Synthesised made = two_speeds(80.0);
     const auto gain_of = [](const std::string& channel) { return EffectInstance{.effect = "sensor-gain", .values = {{"gain", 1.005}}, .choices = {{"channel", channel}}}; };
