@@ -45,7 +45,7 @@ class Diagnosing {
             return std::move(result_);
         }
         if (drop_superfluous(naming_, options_.thresholds)) naming_.left_by_best.clear();  // it was of a set that is gone
-        if (!naming_.interrupted && rests_on_held_forces(naming_, believed_)) hold_again();
+        if (!naming_.interrupted && !(naming_.sets.empty() && misses_much(naming_.retuned.fit, context_)) && rests_on_held_forces(naming_, believed_)) hold_again();
         study_places();
         try_beside();
         tell_ground_from_pads(study_);  // only now: beside a name it is fitted at the pads
@@ -94,7 +94,7 @@ class Diagnosing {
         if (!naming_.sets.empty()) study_.named_level_db = repeated_level_db(naming_.sets.front().fit, observations_);
         if (!naming_.sets.empty()) study_.by_recording = constancy(naming_.sets.front().fit, context_);
         if (!naming_.sets.empty() && names_friction(naming_.sets.front())) study_.friction = friction_law(naming_.sets.front().fit, context_);
-        if (!naming_.sets.empty() && naming_.sets.front().score() > naming_.retuned.score() + options_.thresholds.least_gain)
+        if (!naming_.sets.empty() && naming_.sets.front().score() > naming_.retuned.score() + gain_asked(naming_.sets.front(), options_.thresholds))
             study_.at_named = evidence(left_by_best());
         if (leaves_much()) {
             const auto between = [this](const std::string& what) { say(what, 0.85); };
@@ -105,15 +105,25 @@ class Diagnosing {
             if (beyond) study_.anonymous.push_back(std::move(*beyond));
             return;
         }
-        for (int i = 0; i < kAnonymousFits && i < static_cast<int>(ranked.size()); ++i) {
-            const LocatedEvidence& own = ranked[static_cast<std::size_t>(i)];
-            if (own.nats < options_.naming.least_promise) break;
-            say("free correction of the " + element_name(own.place.element), 0.82 + 0.05 * i);
+        int fitted = 0;
+        for (const LocatedEvidence& own : ranked) {
+            if (fitted == kAnonymousFits || own.nats < options_.naming.least_promise) break;
+            if (nothing_is_left() && !is_named_place(own.place.element)) continue;
+            say("free correction of the " + element_name(own.place.element), 0.82 + 0.05 * fitted++);
             // Where retuning misses much, most cannot come near what is named, and a blunt likelihood sees that in less than half the time.
             FitOptions fit_options{.iterations = kAnonymousIterations, .least_gain = kAnonymousGain, .from_far = misses_much(naming_.retuned.fit, context_)};
             if (!naming_.sets.empty()) fit_options.rival = &naming_.sets.front().fit, fit_options.room = kRoomForCurve;
             study_.anonymous.push_back(fit_correction(believed_, naming_.retuned, own, context_, fit_options));
         }
+    }
+
+    /// Beside the best set no free correction is worth its freedom: in its place none outdoes it either, for beside it that would explain no less. They are fitted where they show a curve, at the places of the set.
+    bool nothing_is_left() const { return !study_.at_named.empty() && study_.at_named.front().nats < 0.0; }
+
+    bool is_named_place(Element element) const {
+        const std::vector<Element> own = elements_of(naming_.sets.front(), nullptr);
+        const auto is_there = [&](Element other) { return std::find(own.begin(), own.end(), other) != own.end(); };
+        return is_there(element) || (element == Element::pad && is_there(Element::support));  // rigid ground has no correction of its own
     }
 
     const std::vector<LocatedEvidence>& left_by_best() {
@@ -134,7 +144,7 @@ class Diagnosing {
         if (naming_.sets.empty()) return true;
         const FittedSet& best = naming_.sets.front();
         const double nothing = naming_.retuned.score(), residual = options_.thresholds.residual;
-        return best.score() <= nothing + options_.thresholds.least_gain || leans(best, nothing) || needs_wrong_numbers(best, options_.thresholds) || study_.by_named > misfit_left(best, nothing, residual) ||
+        return best.score() <= nothing + gain_asked(best, options_.thresholds) || leans(best, nothing) || needs_wrong_numbers(best, options_.thresholds) || study_.by_named > misfit_left(best, nothing, residual) ||
                (!study_.at_named.empty() && study_.at_named.front().nats > nats_left(best, nothing, residual));
     }
 

@@ -11,6 +11,7 @@ namespace railpem::diagnosis {
 /// How sure a verdict has to be. Of 300 synthesised nulls nothing gained and no free correction promised more than −3.8 nats (docs/proof/README.md, calibrate_verdict).
 struct VerdictThresholds {
     double least_gain = 5.0;        ///< nats of log-evidence that physics must gain over the retuned case
+    double belief_gain = 1.5;       ///< the same where nothing is added, and numbers, the irregularity or the passing of sleepers are further off than was believed: as much has a number 3.7 tolerances off, which of fourteen by chance one is in 300 cases
     double credible = 4.0;          ///< a rival set is credible within so many nats of the best
     double residual = 12.0;         ///< nats that a free correction beside the named set may promise by chance, or nats_left() of it (model_error.hpp)
     double anonymous = 3.0;         ///< nats by which a free correction must beat the named set to make it nameless

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "diagnosis/climb.hpp"
 #include "diagnosis/locate.hpp"
 
 namespace railpem::diagnosis {
@@ -101,16 +102,16 @@ struct Start {
     Fit near;
 };
 
-/// The most probable of an effect's starts, approached by the derivatives of the case without it.
+/// The most probable of an effect's starts, near a log-posterior of `least`, approached by the derivatives of the case without it.
 std::vector<Start> approached(const BelievedCase& believed, const Fit& without, const std::vector<Candidate>& members, const std::vector<Candidate>& variants, const LikelihoodContext& blunt,
-                              const std::function<void(const Candidate&)>& between) {
+                              double least, const std::function<void(const Candidate&)>& between) {
     std::vector<Start> starts;
     for (const Candidate& candidate : starts_of(variants)) {
         between(candidate);
         Start own{.set = members, .near = {}};
         own.set.push_back(candidate);
         Supposition supposed = suppose(believed, without, own.set, {}, {}, blunt);
-        const double rival = starts.size() < kClimbed ? -std::numeric_limits<double>::infinity() : starts.back().near.log_posterior;
+        const double rival = starts.size() < kClimbed ? least : std::max(least, starts.back().near.log_posterior);
         Approach there = approach(supposed.trial, supposed.unknowns, std::move(supposed.start), *without.derivatives, blunt, rival);
         own.near.trial = std::move(supposed.trial);
         own.near.unknowns = std::move(supposed.unknowns);
@@ -161,20 +162,20 @@ std::vector<std::vector<Candidate>> variants_from_afar(const std::vector<Candida
 }
 
 std::vector<FittedSet> blunt_from_afar(const BelievedCase& believed, const Fit& near, const std::vector<Candidate>& members, const std::vector<std::vector<Candidate>>& variants,
-                                       const LikelihoodContext& context, const std::function<void(const Candidate&)>& between, const std::function<bool()>& enough) {
+                                       const LikelihoodContext& context, const std::function<void(const Candidate&)>& between, const std::function<bool()>& enough, const Fit* rival) {
     if (variants.empty()) return {};
     const LikelihoodContext blunt = blunted(context, kBluntFloor);
     const Fit without = fit_set(believed, near, members, {}, {}, blunt, {.iterations = kFurtherBluntIterations, .from_far = false}).fit;
     if (!without.derivatives) return {};  // physics forbids the members as they stand
     LikelihoodContext sparse = blunt;
     sparse.every = kEvery;
+    const double least = rival ? log_likelihood(rival->trial, rival->predictions, sparse) + log_belief(rival->unknowns, rival->values) : -std::numeric_limits<double>::infinity();
     std::vector<std::vector<Start>> starts;
-    for (const std::vector<Candidate>& own : variants) starts.push_back(approached(believed, without, members, own, sparse, between));
+    for (const std::vector<Candidate>& own : variants) starts.push_back(approached(believed, without, members, own, sparse, least, between));
     const auto height = [](const std::vector<Start>& own) { return own.front().near.log_posterior; };
     std::stable_sort(starts.begin(), starts.end(), [&](const auto& a, const auto& b) { return height(a) > height(b); });
     std::vector<FittedSet> sets;
     sets.reserve(starts.size());  // the rival is one of them
-    const Fit* rival = nullptr;
     for (const std::vector<Start>& own : starts) {
         if (sets.size() >= kClimbedAnyway && enough()) break;
         sets.push_back(climbed(believed, own, rival, blunt, between));

@@ -18,8 +18,8 @@ namespace {
 
 constexpr double kSureOf = 0.5;        ///< of what a further member has to bring: one whose fit cannot come to that is given up before its end
 constexpr double kMinor = 0.05;        ///< share of what a single explains: for what is left of that order nothing else is sought in its place. Two may stand in for one (pads that stiffen and a mass on the rail for ballast)
-// Shares of the effort, from which on none of these begins that would not end: the search from afar with the sharp likelihood, after a blunt one or as the first of its kind, and third members.
-constexpr double kSharpFromAfar = 0.7, kFirstFromAfar = 1.3, kThirdMember = 0.8;
+// Shares of the effort, from which on none of these begins that would not end: the search from afar with the sharp likelihood, after a blunt one or as the first of its kind, second and third members.
+constexpr double kSharpFromAfar = 0.7, kFirstFromAfar = 1.3, kSecondMember = 0.9, kThirdMember = 0.8;
 
 }  // namespace
 
@@ -42,7 +42,7 @@ void Search::search() {
     result_.candidates = std::move(list.candidates);
     if (misses_much(result_.retuned.fit, context_)) {
         blunt_search();
-        if (outdone_) return;
+        if (outdone_ || hopeless_) return;
         if (trials_.names() && !is_doubtful(trials_.leading()) && leaves_little()) return;
     }
     bool rescued = false;
@@ -53,12 +53,14 @@ void Search::search() {
         if (rescued) rescue_round();  // before anything is added to what stands in for it
     }
     further_rounds(2);
+    // Where the blunt search has looked for nothing from afar, this is worth more: preloaded pads stood as failed fasteners. How much more, by judgement.
+    const double share = blunt_from_afar_.empty() ? kFirstFromAfar : kSharpFromAfar;
+    if (!knows_what_is_left() && is_spent(share)) return;  // whatever is left
     if (!is_doubtful(trials_.leading()) && !is_trifling(trials_.leading())) {
         if (leaves_little()) return;
         if (trials_.leading().members() == 1 && left_over() < kMinor * (trials_.leading().score() - result_.retuned.score())) return;
     }
-    // Where the blunt search has looked for nothing from afar, this is worth more: preloaded pads stood as failed fasteners. How much more, by judgement.
-    if (is_spent(blunt_from_afar_.empty() ? kFirstFromAfar : kSharpFromAfar)) return;
+    if (is_spent(share)) return;
     const double before = trials_.leading().score();
     if (!rescued) rescue_round();
     if (trials_.leading().score() > before + options_.least_gain) further_rounds(2);
@@ -69,20 +71,27 @@ void Search::search() {
 }
 
 void Search::further_rounds(int from) {
-    for (int members = from; members <= options_.most_effects; ++members)
-        if (is_spent(members > 2 ? kThirdMember : 1.0) || (members > 2 && is_outdone_beyond_range()) || !further_round(members)) break;
+    for (int members = from; members <= options_.most_effects; ++members) {
+        if (is_spent(members > 2 ? kThirdMember : kSecondMember)) break;
+        if (members > 2 && !leaves_little()) look_beyond_range();
+        if (is_outdone_beyond_range() || !further_round(members)) break;
+    }
+    if (is_outdone_beyond_range()) return;  // it will not be named: nobody asks what each of its members brings
     if (const std::size_t left = trials_.prune(); left > 0) further_rounds(static_cast<int>(left) + 1);
 }
 
-bool Search::is_outdone_beyond_range() {
-    const FittedSet *single = trials_.best(1), &best = trials_.leading();
-    const double nothing = result_.retuned.score();
-    if (trials_.is_blunt() || !single || single->effects.empty() || !leans(*single, nothing)) return false;
+void Search::look_beyond_range() {
+    const FittedSet* single = trials_.best(1);
+    if (result_.beyond || trials_.is_blunt() || !single || single->effects.empty() || !leans(*single, result_.retuned.score())) return;
     say("the best single beyond its range", 0.7);
     FittedSet from = *single;
     restore_caches(from.fit, context_);
     result_.beyond = fit_beyond_range(believed_, from, context_, {});
-    return result_.beyond && result_.beyond->score() - best.score() > best.score() - nothing;
+}
+
+bool Search::is_outdone_beyond_range() const {
+    const double best = trials_.leading().score();
+    return result_.beyond && result_.beyond->score() - best > best - result_.retuned.score();
 }
 
 std::vector<Promise> Search::screened(const Fit& fit) {
@@ -110,8 +119,10 @@ double Search::bearable() const {
     return trials_.names() ? nats_left(trials_.leading(), result_.retuned.score(), options_.residual) : options_.residual;
 }
 
+bool Search::knows_what_is_left() const { return trials_.leading().score() == left_beside_; }
+
 double Search::left_over() {
-    if (trials_.leading().score() == left_beside_) return most_left_;
+    if (knows_what_is_left()) return most_left_;
     say("what is left", 0.7);
     std::vector<LocatedEvidence> left = locate(trials_.leading().fit, context_);
     left_beside_ = trials_.leading().score();
@@ -184,6 +195,7 @@ bool Search::further_round(int members) {
     }
     if (members == 2 && highest > from.score() + options_.least_gain) trials_.swap_first(winner, from, share);
     if (worth > options_.least_gain) trials_.drop_beside(from, worth);
+    if (!trials_.is_blunt()) trials_.drop_needless();
     const FittedSet* larger = trials_.best(static_cast<std::size_t>(members));
     return larger && larger->score() > from.score() + options_.least_gain;
 }

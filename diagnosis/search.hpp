@@ -37,20 +37,27 @@ class Search {
     /// Whether an unknown of one place explains so much more than the best names, bluntly, that no search will end with a name. Sensors do not count, as in is_evident_among().
     bool is_outdone();
 
-    /// Whether the best single leans on the end of its range and beyond it explains more than twice as much as all that could be named: a third member that has more than two together have would have come first.
-    bool is_outdone_beyond_range();
+    /// Fits the best single beyond the range of its physics, where it leans on its end; once.
+    void look_beyond_range();
 
-    /// A set of the blunt search, half sharp; sharpened at once where that leaves next to nothing of what retuning misses.
+    /// Whether that explains more than twice as much as all that could be named: a third member that has more than two together have would have come first.
+    bool is_outdone_beyond_range() const;
+
+    /// A set of the blunt search, half sharp, and what it misses there; sharpened at once where that is next to nothing of what retuning misses.
     struct Halved {
         FittedSet set;
+        double missed = 0.0;
         bool sharpened = false;
     };
     Halved look_sharper(const FittedSet& blunt, const Fit& retuned);
-    FittedSet half_sharp(const FittedSet& blunt) const;
+    Halved half_sharp(const FittedSet& blunt) const;
     void sharpen(const FittedSet& half);
 
-    /// Half sharp, what is there leaves next to nothing of what retuning misses.
-    bool is_worth_sharpening(const FittedSet& half, const Fit& retuned) const;
+    /// Sharpens the best set of the blunt search, larger than what it saw `first`, or better; `seen`: what was half sharpened of it. Hopeless where that leaves most of what retuning misses, or of what the first leaves.
+    void sharpen_grown(const FittedSet& best, const Halved& first, Halved seen, const Fit& retuned);
+
+    /// Half sharp, a set leaves most `of` what another misses.
+    bool leaves_most(const Halved& half, double of) const;
 
     std::vector<Promise> screened(const Fit& fit);
     bool is_left_out(const std::string& effect) const;
@@ -66,6 +73,7 @@ class Search {
 
     /// Nats that a free correction would still bring beside the best set.
     double left_over();
+    bool knows_what_is_left() const;
 
     /// Whether nothing worth a further search is left beside the best set. What the unseen part repeats of its misfit is seen at once; free corrections
     /// are asked only where that is little.
@@ -101,6 +109,7 @@ class Search {
     double allowed_s_;    ///< effort
     bool& ended_early_;   ///< of the whole search: something was left out for it
     bool outdone_ = false;                    ///< by an unknown of one place: is_outdone()
+    bool hopeless_ = false;                   ///< nothing more is looked for: sharpen_grown()
     std::vector<FittedSet> blunt_from_afar_;  ///< singles that the blunt search has fitted from afar
     std::map<int, double> extended_;  ///< score of the set to which a further member was sought last, by the number of members
     double left_beside_ = -std::numeric_limits<double>::infinity(), most_left_ = 0.0;  ///< score of the set that left_over() looked at last, and its answer

@@ -16,9 +16,12 @@ namespace {
 
 constexpr double kBluntSearch = 0.1;   ///< relative floor
 constexpr double kHalfSharpMiss = 0.05; ///< of what retuning misses, a single that is there may leave when half sharp: axles that bend left nothing, failed fasteners and friction of 1 kN in their own place 0.6 and 2.6 %, fasteners in the place of ballast and of two other effects 7 and 11 %
+constexpr double kHopelessMiss = 0.5;   ///< and its best set, without any hope: those that were right left nothing to 2.6 %, what stood in for a bump stop 70 %, for ground that changes along the line more than retuning. The same of what the single in it
+                                        ///< leaves: no second member is there for that (98 % beside fasteners in the place of a play)
 constexpr double kOutdone = 0.1;       ///< of what an unknown explains bluntly: the best names had 1 % of a linkage of the bogies, a single of the two effects of the paper 48 %
 // Shares of the effort, from which on none of these begins that would not end: further climbs from afar and pairs with the blunt likelihood, starts from afar beside a single.
 constexpr double kBluntFromAfar = 0.65, kBluntPairs = 0.75, kBesideSingle = 0.45;
+constexpr std::size_t kGrownFrom = 3;   ///< singles
 constexpr std::size_t kSharpened = 3;  ///< of the effects fitted from afar: those that the blunt likelihood prefers, until nothing is left
 
 }  // namespace
@@ -35,17 +38,16 @@ void Search::blunt_search() {
     found.first_promises = search.screened(found.retuned.fit);
     search.first_round();
     const double single = search.trials_.leading().score();
-    FittedSet put_off;  // of an approximate law that leaves more than is usual: something else may take its place
+    Halved first, seen;
     if (single > found.retuned.score() + options_.least_gain) {
-        Halved half = look_sharper(search.trials_.leading(), found.retuned.fit);
-        if (!half.sharpened && is_approximate(half.set)) put_off = std::move(half.set);
+        first = look_sharper(search.trials_.leading(), found.retuned.fit);
         if (trials_.names() && leaves_little()) return grow_leading();
     }
     if (search.misses()) search.rescue_round();  // before anything is added to what stands in for it
     if (!is_spent(kBluntPairs)) search.further_rounds(2);
     blunt_from_afar_ = std::move(search.blunt_from_afar_);
     const double least = std::max(single, found.retuned.score()) + options_.least_gain;
-    Halved seen;  // before more is looked for: what is there leaves misfit, too, as long as it is fitted bluntly (both effects of the paper, seed 9601)
+    // Before more is looked for: what is there leaves misfit, too, as long as it is fitted bluntly (both effects of the paper, seed 9601).
     if (search.misses() && search.trials_.leading().score() > least) {
         seen = look_sharper(search.trials_.leading(), found.retuned.fit);
         if (trials_.names() && leaves_little()) return grow_leading();
@@ -54,15 +56,20 @@ void Search::blunt_search() {
     result_.blunt_corrections = std::move(found.blunt_corrections);
     if (outdone_) return;
     if (!is_spent(kBesideSingle)) search.rescue_beside();
-    const FittedSet& best = search.trials_.leading();
-    if (best.score() <= least) {
-        if (!put_off.effects.empty()) sharpen(put_off);
-    } else if (!has_members(best, seen.set.effects, seen.set.released)) {
-        sharpen(half_sharp(best));
-    } else if (!seen.sharpened) {
-        sharpen(seen.set);
+    if (const FittedSet& best = search.trials_.leading(); best.score() > least) {
+        sharpen_grown(best, first, std::move(seen), found.retuned.fit);
+    } else if (!first.sharpened && is_approximate(first.set)) {
+        sharpen(first.set);  // it leaves more than is usual, and something else might have taken its place
     }
-    if (!result_.sets.empty()) grow_leading();
+    if (!hopeless_ && !result_.sets.empty()) grow_leading();
+}
+
+void Search::sharpen_grown(const FittedSet& best, const Halved& first, Halved seen, const Fit& retuned) {
+    if (!has_members(best, seen.set.effects, seen.set.released)) seen = half_sharp(best);
+    hopeless_ = leaves_most(seen, missed_by(retuned, blunted(context_, kHalfSharpFloor)));
+    if (hopeless_) return;
+    if (!seen.sharpened) sharpen(seen.set);
+    hopeless_ = first.set.members() > 0 && best.members() > first.set.members() && contains(best, first.set) && leaves_most(seen, first.missed);
 }
 
 bool Search::is_outdone() {
@@ -75,24 +82,23 @@ bool Search::is_outdone() {
 }
 
 Search::Halved Search::look_sharper(const FittedSet& blunt, const Fit& retuned) {
-    Halved own{half_sharp(blunt)};
-    own.sharpened = is_worth_sharpening(own.set, retuned);
+    Halved own = half_sharp(blunt);
+    own.sharpened = own.missed < kHalfSharpMiss * missed_by(retuned, blunted(context_, kHalfSharpFloor));
     if (own.sharpened) sharpen(own.set);
     return own;
 }
 
-FittedSet Search::half_sharp(const FittedSet& blunt) const {
-    return half_sharpened(believed_, blunt, context_, [this] { say("sharpening", 0.5); });
+Search::Halved Search::half_sharp(const FittedSet& blunt) const {
+    Halved own{.set = half_sharpened(believed_, blunt, context_, [this] { say("sharpening", 0.5); })};
+    own.missed = missed_by(own.set.fit, blunted(context_, kHalfSharpFloor));
+    return own;
 }
 
 void Search::sharpen(const FittedSet& half) {
     result_.sets.push_back(sharpened(believed_, half, context_, [this] { say("sharpening", 0.5); }));
 }
 
-bool Search::is_worth_sharpening(const FittedSet& half, const Fit& retuned) const {
-    const LikelihoodContext half_sharp = blunted(context_, kHalfSharpFloor);
-    return missed_by(half.fit, half_sharp) < kHalfSharpMiss * missed_by(retuned, half_sharp);
-}
+bool Search::leaves_most(const Halved& half, double of) const { return half.missed > std::max(options_.residual, kHopelessMiss * of); }
 
 void Search::rescue_round(const FittedSet* beside) {
     const std::vector<Candidate> members = beside ? beside->effects : std::vector<Candidate>{};
@@ -108,6 +114,7 @@ void Search::rescue_round(const FittedSet* beside) {
     }
     std::stable_sort(blunt.begin(), blunt.end(), [](const FittedSet& a, const FittedSet& b) { return a.fit.log_posterior > b.fit.log_posterior; });
     const FittedSet* best = trials_.best(members.size() + 1);
+    if (is_outdone_beyond_range() && (!best || best->fit.log_posterior < result_.beyond->fit.log_posterior)) best = &*result_.beyond;
     const bool contested = best && std::isfinite(best->score());
     const Fit rival = contested ? best->fit : Fit{};  // sets may move
     for (std::size_t i = 0; i < std::min(kSharpened, blunt.size()); ++i) {
@@ -122,12 +129,16 @@ std::vector<FittedSet> Search::fitted_from_afar(const FittedSet* beside, const s
     std::vector<FittedSet> known;
     if (!beside) known = blunt_from_afar_;
     std::erase_if(variants, [&](const std::vector<Candidate>& own) {
+        if (is_outdone_beyond_range() && same_variant(result_.beyond->effects.front().instance, own.front().instance)) return true;  // the data ask for more than it can be
         return std::any_of(known.begin(), known.end(), [&](const FittedSet& set) { return same_variant(set.effects.back().instance, own.front().instance); });
     });
     // Of another floor and other windows neither values nor derivatives are a start.
     const Fit believed;
     const Fit& near = !trials_.is_blunt() ? believed : beside ? beside->fit : result_.retuned.fit;
-    std::vector<FittedSet> blunt = blunt_from_afar(believed_, near, members, variants, context_, between, [this] { return is_spent(trials_.is_blunt() ? kBluntFromAfar : 1.0); });
+    // Larger sets grow from the best single, and the two behind it take its place.
+    const FittedSet* rival = trials_.is_blunt() && !beside ? trials_.single(kGrownFrom) : nullptr;
+    std::vector<FittedSet> blunt =
+        blunt_from_afar(believed_, near, members, variants, context_, between, [this] { return is_spent(trials_.is_blunt() ? kBluntFromAfar : 1.0); }, rival ? &rival->fit : nullptr);
     std::move(known.begin(), known.end(), std::back_inserter(blunt));
     return blunt;
 }

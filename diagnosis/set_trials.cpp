@@ -186,17 +186,38 @@ void SetTrials::swap_first(const Candidate& second, const FittedSet& from, doubl
             (from.effects.empty() || !same_variant(set.effects[0].instance, from.effects[0].instance)))
             singles.push_back(&set);
     std::sort(singles.begin(), singles.end(), [](const FittedSet* a, const FittedSet* b) { return a->score() > b->score(); });
+    if (singles.size() > kSwaps) singles.resize(kSwaps);
+    const double brought = best(2)->score() - from.score();
     std::vector<Candidate> firsts;
-    for (const FittedSet* single : singles)
-        if (firsts.size() < kSwaps && single->score() > result_.retuned.score()) firsts.push_back(single->effects[0]);
-    for (const Candidate& first : firsts) try_set(result_.retuned.fit, {first, second}, {}, share);
+    std::vector<Fit> near;  // sets may move
+    for (const FittedSet* single : singles) {
+        // Variants of one effect are told apart as singles: the second brings the worse of them no more than the better.
+        const bool is_worse_kind = !from.effects.empty() && single->effects[0].instance.effect == from.effects[0].instance.effect && single->score() + brought < from.score();
+        if (single->score() > result_.retuned.score() && !is_worse_kind) firsts.push_back(single->effects[0]), near.push_back(values_of(single->fit));
+    }
+    for (std::size_t i = 0; i < firsts.size(); ++i) try_set(near[i], {firsts[i], second}, {}, share);
+}
+
+void SetTrials::drop_needless() {
+    const VerdictThresholds thresholds{.least_gain = options_.least_gain};
+    drop_where([&](const FittedSet& set) {
+        return std::any_of(result_.sets.begin(), result_.sets.end(), [&](const FittedSet& smaller) { return adds_nothing(smaller, set, result_, thresholds); });
+    });
 }
 
 void SetTrials::drop_beside(const FittedSet& smaller, double least) {
-    const auto says_no_more = [&](const FittedSet& set) { return set.members() > smaller.members() && contains(set, smaller) && set.score() < smaller.score() + least; };
-    for (const FittedSet& set : result_.sets)
-        if (says_no_more(set)) result_.dropped.push_back(without_fit(set));
-    std::erase_if(result_.sets, says_no_more);
+    drop_where([&](const FittedSet& set) { return set.members() > smaller.members() && contains(set, smaller) && set.score() < smaller.score() + least; });
+}
+
+void SetTrials::drop_where(const std::function<bool(const FittedSet&)>& is_dropped) {
+    std::vector<bool> dropped;  // of all, before any is gone
+    for (const FittedSet& set : result_.sets) dropped.push_back(is_dropped(set));
+    std::vector<FittedSet> kept;
+    for (std::size_t i = 0; i < dropped.size(); ++i) {
+        if (dropped[i]) result_.dropped.push_back(without_fit(result_.sets[i]));
+        else kept.push_back(std::move(result_.sets[i]));
+    }
+    result_.sets = std::move(kept);
 }
 
 const FittedSet* SetTrials::best(std::size_t members) const {
@@ -204,6 +225,14 @@ const FittedSet* SetTrials::best(std::size_t members) const {
     for (const FittedSet& set : result_.sets)
         if (set.members() == members && (!found || set.score() > found->score())) found = &set;
     return found;
+}
+
+const FittedSet* SetTrials::single(std::size_t nth) const {
+    std::vector<const FittedSet*> singles;
+    for (const FittedSet& set : result_.sets)
+        if (set.effects.size() == 1 && set.released.empty() && set.score() > result_.retuned.score()) singles.push_back(&set);
+    std::sort(singles.begin(), singles.end(), [](const FittedSet* a, const FittedSet* b) { return a->score() > b->score(); });
+    return singles.size() < nth ? nullptr : singles[nth - 1];
 }
 
 const FittedSet& SetTrials::leading() const {

@@ -2,6 +2,7 @@
 // The fits of which the search for what was left out consists.
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -48,8 +49,14 @@ class SetTrials {
     /// Takes out what holds `smaller` and brings less than `least` nats beside it, so that nothing is looked for beside that. Like drop_superfluous().
     void drop_beside(const FittedSet& smaller, double least);
 
+    /// Takes out what adds nothing to a smaller set (adds_nothing()), so that nothing is looked for beside it. Like drop_superfluous().
+    void drop_needless();
+
     /// The best set of so many members; none: nullptr.
     const FittedSet* best(std::size_t members) const;
+
+    /// The n-th best single of an effect, better than the retuned case; nullptr: there are fewer.
+    const FittedSet* single(std::size_t nth) const;
 
     /// The best set if it is better than the retuned case, which stands for nothing added; else that.
     const FittedSet& leading() const;
@@ -64,6 +71,7 @@ class SetTrials {
     /// The derivatives of all sets but the best, which other fits start from.
     void let_go();
     void try_relatives(std::size_t index, double share);
+    void drop_where(const std::function<bool(const FittedSet&)>& is_dropped);
     void refuse_noise(std::size_t index, const Fit& near, double share);
     const Fit& most_probable() const;
 

@@ -20,16 +20,23 @@ constexpr double kHeldOutChance = 2.0;  ///< nats by which the unseen part may s
 
 constexpr double kRepeated = 0.4;      ///< of its share, what is there repeats at least: 0.7 to 1.1 in marched records, names that were wrong 0.2 to 0.3
 constexpr double kRepeatDeviations = 1.5;  ///< of chance: a gain of n nats has the variance 2n
+// The same where a belief is only given up: nothing was sought that chance could have offered, as distances of a comb are (sleeper passing six times as strong repeated 0.22 of 23 nats, 2.6 deviations too little).
+constexpr double kBeliefRepeated = 0.2, kBeliefDeviations = 2.5;
+
+/// Members that retuning has not moved within a belief.
+long new_to_retuning(const FittedSet& set) {
+    return std::count_if(set.effects.begin(), set.effects.end(), [](const Candidate& member) { return !find_effect(member.instance.effect)->retuned; });
+}
+
+bool adds_physics(const FittedSet& set) { return new_to_retuning(set) > 0; }
 
 /// The unseen part speaks against what `larger` adds, or does not repeat its share of it.
 bool unseen_disagrees(const FittedSet& smaller, const FittedSet& larger, double unseen_share) {
-    const auto new_to_retuning = [](const FittedSet& set) {
-        return std::count_if(set.effects.begin(), set.effects.end(), [](const Candidate& member) { return !find_effect(member.instance.effect)->retuned; });
-    };
     const bool only_given_up = new_to_retuning(larger) == new_to_retuning(smaller);
     const double repeated = larger.held_out - smaller.held_out;
     const double expected = unseen_share * std::max(0.0, larger.fit.log_likelihood - smaller.fit.log_likelihood);
-    const double least = std::max(0.0, std::min(kRepeated * expected, expected - kRepeatDeviations * std::sqrt(2.0 * expected)));
+    const double share = only_given_up ? kBeliefRepeated : kRepeated, deviations = only_given_up ? kBeliefDeviations : kRepeatDeviations;
+    const double least = std::max(0.0, std::min(share * expected, expected - deviations * std::sqrt(2.0 * expected)));
     return repeated < least - (only_given_up ? kHeldOutChance : 0.0);
 }
 
@@ -83,11 +90,19 @@ double least_addition(const FittedSet& smaller, double nothing, const VerdictThr
     return std::max(thresholds.least_gain, kLeastAddition * (smaller.score() - nothing));
 }
 
-bool says_as_much(const FittedSet& smaller, const FittedSet& larger, const NamingResult& naming, const VerdictThresholds& thresholds) {
+}  // namespace
+
+bool adds_nothing(const FittedSet& smaller, const FittedSet& larger, const NamingResult& naming, const VerdictThresholds& thresholds) {
     return smaller.members() < larger.members() && contains(larger, smaller) &&
            (larger.score() < smaller.score() + least_addition(smaller, naming.retuned.score(), thresholds) || unseen_disagrees(smaller, larger, naming.unseen_share) ||
-            (leans(larger, naming.retuned.score()) && !leans(smaller, naming.retuned.score())) || (is_trifling(larger) && !is_trifling(smaller)) ||
-            (has_one_that_hardly_is(larger) && !has_one_that_hardly_is(smaller)));
+            (is_trifling(larger) && !is_trifling(smaller)) || (has_one_that_hardly_is(larger) && !has_one_that_hardly_is(smaller)));
+}
+
+namespace {
+
+bool says_as_much(const FittedSet& smaller, const FittedSet& larger, const NamingResult& naming, const VerdictThresholds& thresholds) {
+    const double nothing = naming.retuned.score();
+    return adds_nothing(smaller, larger, naming, thresholds) || (smaller.members() < larger.members() && contains(larger, smaller) && leans(larger, nothing) && !leans(smaller, nothing));
 }
 
 /// The same hypothesis, fitted from another start.
@@ -103,6 +118,8 @@ bool only_sensors(const FittedSet& set) {
 // An approximation may be driven beyond the range by what it leaves: fasteners that carry nothing at all lie on the end of theirs. Not so what would be stronger than its physics can be by more than its law gets wrong: a play of 0.13 mm
 // was called a contact five times as nonlinear as Hertz's, which is as much as there is.
 bool leans(const FittedSet& set, double nothing) { return nats_beyond_range(set) > (is_approximate(set) && !is_too_strong(set) ? nats_left(set, nothing, kLeaning) : kLeaning); }
+
+double gain_asked(const FittedSet& set, const VerdictThresholds& thresholds) { return adds_physics(set) ? thresholds.least_gain : thresholds.belief_gain; }
 
 std::string no_wrong_number(const FittedSet& set, double nothing) { return leans(set, nothing) ? number_beyond_range(set) : ""; }
 
@@ -184,13 +201,13 @@ Decision decide(const NamingResult& naming, const PlaceStudy& places, const Verd
     for (const FittedSet& set : places.anonymous) decision.unknown_score = std::max(decision.unknown_score, set.score());
     const double nothing = naming.retuned.score();
     const FittedSet* best = naming.sets.empty() ? nullptr : &naming.sets.front();
-    const bool gains = best && best->score() > nothing + thresholds.least_gain && !unseen_disagrees(naming.retuned, *best, naming.unseen_share);
+    const bool gains = best && best->score() > nothing + gain_asked(*best, thresholds) && !unseen_disagrees(naming.retuned, *best, naming.unseen_share);
     const bool has_name = gains && no_wrong_number(*best, nothing).empty();
     const bool stands_beside = places.named_stands && best && could_stand_beside(*best, nothing, thresholds);
     if (has_name && (decision.unknown_score < best->score() + thresholds.anonymous || stands_beside)) {
         decision.named = best;
         for (const FittedSet& set : naming.sets)
-            if (&set == best || (set.score() > best->score() - thresholds.credible && !contains(set, *best) && !leans(set, nothing)))
+            if (&set == best || (set.score() > std::max(best->score() - thresholds.credible, nothing + thresholds.belief_gain) && !contains(set, *best) && !leans(set, nothing)))
                 decision.credible.push_back(&set);
     }
     const double residual_named = places.at_named.empty() ? 0.0 : places.at_named.front().nats;
@@ -249,6 +266,13 @@ std::string place_in_words(const Diagnosis& diagnosis) {
     return fmt::format("{}the place where a free correction helps most is the {} ({:.0f} nats{})", first, element_name(place.element), place.nats, forces);
 }
 
+std::string how_far(const std::vector<RetunedNumber>& numbers) {
+    const auto nearer = [](const RetunedNumber& a, const RetunedNumber& b) { return std::abs(a.tolerances_away) < std::abs(b.tolerances_away); };
+    const auto furthest = std::max_element(numbers.begin(), numbers.end(), nearer);
+    if (furthest == numbers.end() || !furthest->outside) return "within their tolerances";
+    return fmt::format("(the furthest, {}, by {:.1f} tolerances)", furthest->key, std::abs(furthest->tolerances_away));
+}
+
 }  // namespace
 
 std::string statement_of(const Diagnosis& diagnosis) {
@@ -259,9 +283,9 @@ std::string statement_of(const Diagnosis& diagnosis) {
                     diagnosis.held_out_after.log_likelihood_per_second - diagnosis.held_out_retuned.log_likelihood_per_second);
     switch (diagnosis.verdict) {
         case Verdict::consistent:
-            return fmt::format("Nothing significant is missing: with its own numbers retuned within their tolerances the case explains the recordings "
+            return fmt::format("Nothing significant is missing: with its own numbers retuned {} the case explains the recordings "
                                "(third octaves within {:.2f} dB rms). No effect of the catalogue and no free correction improves on it beyond chance.",
-                               diagnosis.retuned.rms_db);
+                               how_far(diagnosis.retuned_numbers), diagnosis.retuned.rms_db);
         case Verdict::explained: return fmt::format("What the case left out: {}. {}", named_in_words(diagnosis), gain);
         case Verdict::recording_fault: return fmt::format("The recording is at fault, not the physics: {}. {}", named_in_words(diagnosis), gain);
         case Verdict::ambiguous: {

@@ -33,9 +33,15 @@ struct Decision {
 /// What a set explains, without what its fit holds.
 FittedSet without_fit(const FittedSet& set);
 
+/// Whether `larger` holds `smaller` and what it adds brings too little, hardly is there, or has the unseen part against it.
+bool adds_nothing(const FittedSet& smaller, const FittedSet& larger, const NamingResult& naming, const VerdictThresholds& thresholds);
+
 /// Takes out the sets that the unseen part speaks against, and those that say no more than a smaller one that was fitted too: each further member has to bring `least_gain`, and what no
 /// fit has seen has to agree. Probabilities and rivals are then those of the sets that are left. True when the best one was taken out.
 bool drop_superfluous(NamingResult& naming, const VerdictThresholds& thresholds);
+
+/// Nats of log-evidence with prior by which a set has to be more probable than the retuned case to be named. Where it adds no physics, retuning only had to stay too near a belief: VerdictThresholds::belief_gain.
+double gain_asked(const FittedSet& set, const VerdictThresholds& thresholds);
 
 /// A member is smaller than anybody would speak of, or lies on the weak end of its range: it makes up for what a law beside it is off by.
 bool is_trifling(const FittedSet& set);

@@ -68,6 +68,7 @@ Json diagnosis_json_of(const TrialOptions& options) {
     const diagnosis::VerdictThresholds& thresholds = options.diagnosis.thresholds;
     const diagnosis::NamingOptions& naming = options.diagnosis.naming;
     return {{"least_gain", thresholds.least_gain},
+            {"belief_gain", thresholds.belief_gain},
             {"credible", thresholds.credible},
             {"residual", thresholds.residual},
             {"number_tolerances", thresholds.number_tolerances},

@@ -52,30 +52,38 @@ TEST(SetTrials, ACombThatIsThereStays) {
 
 EffectInstance gain_of(const std::string& channel, double gain) { return {.effect = "sensor-gain", .values = {{"gain", gain}}, .choices = {{"channel", channel}}}; }
 
-/// Gains of two channels, sought one after the other; what the search then tries without either of them, by name.
-std::vector<std::string> tried_without(double known_is_worse_by) {
+/// Records with gains of two channels, and the fits of a search for them.
+struct TwoGains {
+    explicit TwoGains(double second_gain) {
+        made.truth.effects = {gain_of("bogie_1", 1.2), gain_of("axlebox_1", second_gain)};
+        made.draw(1);
+        trials.retune();
+        first = {.instance = made.truth.effects[0], .probe = made.truth.effects[0]};
+        second = {.instance = made.truth.effects[1], .probe = made.truth.effects[1]};
+    }
+
     Synthesised made = synthesised(paper_believed({"vehicle.bogie_mass_kg"}), {20.0}, 60.0, {"bogie_1", "wheel_1", "wheel_2"}, kSmall);
-    made.truth.effects = {gain_of("bogie_1", 1.2), gain_of("axlebox_1", 0.8)};
-    made.draw(1);
     const LikelihoodContext context = made.context();
     std::vector<std::string> said;
-    NamingOptions options;
-    options.progress = [&](const std::string& what, double) { said.push_back(what); };
+    NamingOptions options{.progress = [this](const std::string& what, double) { said.push_back(what); }};
     NamingResult result;
-    SetTrials trials(made.believed, context, options, result);
-    trials.retune();
-    const Candidate first{.instance = made.truth.effects[0], .probe = made.truth.effects[0]}, second{.instance = made.truth.effects[1], .probe = made.truth.effects[1]};
-    trials.try_set(result.retuned.fit, {first}, {}, 0.0);
-    trials.try_set(result.retuned.fit, {first, second}, {}, 0.0);
-    EXPECT_EQ(trials.leading().members(), 2u);
-    EXPECT_TRUE(result.sets[0].fit.converged);
-    result.sets[0].fit.log_posterior -= known_is_worse_by;
-    said.clear();
-    trials.prune();
-    const auto of = [&](const Candidate& own) { return std::find(said.begin(), said.end(), label_of(own.instance)) != said.end(); };
+    SetTrials trials{made.believed, context, options, result};
+    Candidate first, second;
+};
+
+/// The gains sought one after the other; what the search then tries without either of them, by name.
+std::vector<std::string> tried_without(double known_is_worse_by) {
+    TwoGains own(0.8);
+    own.trials.try_set(own.result.retuned.fit, {own.first}, {}, 0.0);
+    own.trials.try_set(own.result.retuned.fit, {own.first, own.second}, {}, 0.0);
+    EXPECT_EQ(own.trials.leading().members(), 2u);
+    EXPECT_TRUE(own.result.sets[0].fit.converged);
+    own.result.sets[0].fit.log_posterior -= known_is_worse_by;
+    own.said.clear();
+    own.trials.prune();
     std::vector<std::string> tried;
-    for (const Candidate& own : {first, second})
-        if (of(own)) tried.push_back(own.instance.choices.at("channel"));
+    for (const Candidate& member : {own.first, own.second})
+        if (std::find(own.said.begin(), own.said.end(), label_of(member.instance)) != own.said.end()) tried.push_back(member.instance.choices.at("channel"));
     return tried;
 }
 
@@ -87,28 +95,59 @@ TEST(SetTrials, AKnownSetIsFittedAgainFromABetterPlace) { EXPECT_EQ(tried_withou
 
 // A gain that is off by a hundredth beside another by a fifth. Where it would have to bring a million nats its fit ends at once; where it has to bring more than it does the pair is taken out.
 TEST(SetTrials, WhatCannotBringEnoughIsGivenUpAndTakenOut) {
-    Synthesised made = synthesised(paper_believed({"vehicle.bogie_mass_kg"}), {20.0}, 60.0, {"bogie_1", "wheel_1", "wheel_2"}, kSmall);
-    made.truth.effects = {gain_of("bogie_1", 1.2), gain_of("axlebox_1", 0.99)};
-    made.draw(1);
-    const LikelihoodContext context = made.context();
-    const NamingOptions options;
-    NamingResult result;
-    SetTrials trials(made.believed, context, options, result);
-    trials.retune();
-    const Candidate first{.instance = made.truth.effects[0], .probe = made.truth.effects[0]}, second{.instance = made.truth.effects[1], .probe = made.truth.effects[1]};
-    const FittedSet single = trials.try_set(result.retuned.fit, {first}, {}, 0.0);
-    EXPECT_FALSE(trials.try_set(single.fit, {first, second}, {}, 0.0, false, 1e6).fit.converged);
-    result.sets.pop_back();
-    const FittedSet& pair = trials.try_set(single.fit, {first, second}, {}, 0.0);
+    TwoGains own(0.99);
+    const FittedSet single = own.trials.try_set(own.result.retuned.fit, {own.first}, {}, 0.0);
+    EXPECT_FALSE(own.trials.try_set(single.fit, {own.first, own.second}, {}, 0.0, false, 1e6).fit.converged);
+    own.result.sets.pop_back();
+    const FittedSet& pair = own.trials.try_set(single.fit, {own.first, own.second}, {}, 0.0);
     EXPECT_TRUE(pair.fit.converged);
     const double brings = pair.score() - single.score();
     EXPECT_GT(brings, 5.0);
-    trials.drop_beside(single, 0.99 * brings);
-    EXPECT_EQ(trials.leading().members(), 2U);
-    trials.drop_beside(single, 1.01 * brings);
-    EXPECT_EQ(trials.leading().members(), 1U);
-    ASSERT_EQ(result.dropped.size(), 1U);
-    EXPECT_EQ(result.dropped.front().score(), single.score() + brings) << "the report reads from it what its members bring";
+    own.trials.drop_beside(single, 0.99 * brings);
+    EXPECT_EQ(own.trials.leading().members(), 2U);
+    own.trials.drop_beside(single, 1.01 * brings);
+    EXPECT_EQ(own.trials.leading().members(), 1U);
+    ASSERT_EQ(own.result.dropped.size(), 1U);
+    EXPECT_EQ(own.result.dropped.front().score(), single.score() + brings) << "the report reads from it what its members bring";
+}
+
+// The second gain is there and stays, until the unseen part speaks against it: nothing is looked for beside the pair then.
+TEST(SetTrials, WhatWouldNotBeNamedIsNotBuiltUpon) {
+    TwoGains own(0.99);
+    const FittedSet single = own.trials.try_set(own.result.retuned.fit, {own.first}, {}, 0.0);
+    own.trials.try_set(single.fit, {own.first, own.second}, {}, 0.0);
+    own.trials.drop_needless();
+    EXPECT_EQ(own.trials.leading().members(), 2U);
+    own.result.sets.back().held_out = single.held_out - 1.0;
+    own.trials.drop_needless();
+    EXPECT_EQ(own.trials.leading().members(), 1U);
+    EXPECT_EQ(own.result.dropped.size(), 1U);
+}
+
+TEST(SetTrials, SinglesAreRanked) {
+    TwoGains own(0.9);
+    const double worse = own.trials.try_set(own.result.retuned.fit, {own.second}, {}, 0.0).score(), better = own.trials.try_set(own.result.retuned.fit, {own.first}, {}, 0.0).score();
+    own.trials.try_set(own.result.retuned.fit, {own.first, own.second}, {}, 0.0);
+    own.trials.try_set(own.result.retuned.fit, {}, {"vehicle.bogie_mass_kg"}, 0.0);
+    ASSERT_GT(better, worse);
+    EXPECT_EQ(own.trials.single(1)->score(), better);
+    EXPECT_EQ(own.trials.single(2)->score(), worse);
+    EXPECT_EQ(own.trials.single(3), nullptr) << "neither a pair nor a number";
+}
+
+// Of two other kinds in the place of the first one is worse by more than the second member brings, and of the same effect: it is not tried.
+TEST(SetTrials, AWorseVariantIsNotSwappedIn) {
+    for (const bool far_behind : {false, true}) {
+        TwoGains own(0.9);
+        const Candidate other{.instance = gain_of("axlebox_2", 1.1), .probe = gain_of("axlebox_2", 1.1)};
+        FittedSet from = own.trials.try_set(own.result.retuned.fit, {own.first}, {}, 0.0);
+        own.trials.try_set(own.result.retuned.fit, {other}, {}, 0.0);
+        own.trials.try_set(from.fit, {own.first, own.second}, {}, 0.0);
+        own.result.sets[1].log_prior += from.score() - own.result.sets[1].score() - (far_behind ? own.trials.best(2)->score() - from.score() + 1.0 : 1.0);
+        own.said.clear();
+        own.trials.swap_first(own.second, from, 0.0);
+        EXPECT_EQ(own.said.empty(), far_behind);
+    }
 }
 
 }  // namespace

@@ -143,6 +143,22 @@ TEST(Decide, SaysNothingIsMissingBelowTheLeastGain) {
     EXPECT_EQ(decide(given_naming({given_set({}, {"vehicle.body_mass_kg"}, 100.0, -1.0)}), {}, thresholds).verdict, Verdict::explained);
 }
 
+// A number 3.7 tolerances off has 1.5 nats with its prior, which of fourteen by chance one is in 300 cases; physics that nobody believed in has to bring more.
+TEST(Decide, NamesABeliefThatIsFurtherOffThanChance) {
+    EXPECT_EQ(decide(given_naming({given_set({}, {"vehicle.body_mass_kg"}, 1.6, 0.0)}), {}, thresholds).verdict, Verdict::explained);
+    EXPECT_EQ(decide(given_naming({given_set({}, {"vehicle.body_mass_kg"}, 1.4, 0.0)}), {}, thresholds).verdict, Verdict::consistent);
+    EXPECT_EQ(decide(given_naming({given_set({"sleeper-passing"}, {}, 1.6, 0.0)}), {}, thresholds).verdict, Verdict::explained);
+    EXPECT_EQ(decide(given_naming({given_set({"rail-shear"}, {}, 1.6, 0.0)}), {}, thresholds).verdict, Verdict::consistent);
+    EXPECT_EQ(decide(given_naming({given_set({"rail-shear"}, {"vehicle.body_mass_kg"}, 4.9, 0.0)}), {}, thresholds).verdict, Verdict::consistent);
+}
+
+// Both numbers may be it; an effect that explains less than its own freedom costs may not.
+TEST(Decide, LeavesOnlyThatTogetherWhichExplainsSomething) {
+    const auto verdict_beside = [](const FittedSet& other) { return decide(given_naming({given_set({}, {"vehicle.body_mass_kg"}, 2.5, 0.0), other}), {}, thresholds).verdict; };
+    EXPECT_EQ(verdict_beside(given_set({}, {"vehicle.bogie_mass_kg"}, 1.6, 0.0)), Verdict::ambiguous);
+    EXPECT_EQ(verdict_beside(given_set({"rail-shear"}, {}, -1.0, 0.0)), Verdict::explained);
+}
+
 TEST(Decide, DoesNotNamePhysicsBeyondItsRange) {
     EXPECT_EQ(decide(given_naming({leaning_set(given_set({"body-bending"}, {}, 100.0, 10.0), 3.0)}), {}, thresholds).verdict, Verdict::unexplained);
     EXPECT_EQ(decide(given_naming({leaning_set(given_set({"body-bending"}, {}, 100.0, 10.0), 1.0)}), {}, thresholds).verdict, Verdict::explained);
@@ -227,8 +243,8 @@ TEST(Decide, AsksWhetherFrictionIsConstant) {
 }
 
 TEST(Decide, NamesNothingThatTheUnseenDoesNotRepeat) {
-    const auto verdict_of = [](double gain, double repeated) {
-        NamingResult naming = given_naming({given_set({"rail-shear"}, {}, 50.0, repeated)});
+    const auto verdict_of = [](double gain, double repeated, const char* effect = "rail-shear") {
+        NamingResult naming = given_naming({given_set({effect}, {}, 50.0, repeated)});
         naming.sets.front().fit.log_likelihood = gain;
         naming.unseen_share = 1.0 / 3.0;
         return decide(naming, {}, thresholds).verdict;
@@ -238,6 +254,9 @@ TEST(Decide, NamesNothingThatTheUnseenDoesNotRepeat) {
     EXPECT_EQ(verdict_of(12.0, 0.5), Verdict::explained) << "within chance";
     EXPECT_EQ(verdict_of(12000.0, 2000.0), Verdict::explained) << "an approximate law repeats half of what it promised";
     EXPECT_EQ(verdict_of(12000.0, 1000.0), Verdict::consistent);
+    EXPECT_EQ(verdict_of(70.0, 5.2), Verdict::consistent);
+    EXPECT_EQ(verdict_of(70.0, 5.2, "sleeper-passing"), Verdict::explained) << "a belief: no place or distance was sought that chance could have offered";
+    EXPECT_EQ(verdict_of(70.0, 2.0, "sleeper-passing"), Verdict::consistent);
 }
 
 /// A set whose fit ends a number so many tolerances away from its belief.
@@ -323,6 +342,14 @@ TEST(BeyondRange, IsNoNumber) {
     const BelievedCase believed;
     const LikelihoodContext context{.believed = &believed, .observations = &none};
     EXPECT_FALSE(fit_beyond_range(believed, leaning_number(given_set({"rail-shear"}, {"vehicle.bogie_mass_kg"}, 100.0, 20.0), 50.0), context, {}));
+}
+
+TEST(Statement, ConsistentSaysWhichNumberHadToGoFar) {
+    Diagnosis diagnosis{.verdict = Verdict::consistent};
+    diagnosis.retuned_numbers = {{.key = "vehicle.body_mass_kg", .tolerances_away = -0.5}, {.key = "vehicle.bogie_mass_kg", .tolerances_away = 1.2}};
+    EXPECT_NE(statement_of(diagnosis).find("retuned within their tolerances the case"), std::string::npos);
+    diagnosis.retuned_numbers.front() = {.key = "vehicle.body_mass_kg", .tolerances_away = -2.6, .outside = true};
+    EXPECT_NE(statement_of(diagnosis).find("retuned (the furthest, vehicle.body_mass_kg, by 2.6 tolerances) the case"), std::string::npos);
 }
 
 TEST(Statement, AmbiguousNamesBothAndWhatWouldDecide) {
