@@ -19,7 +19,8 @@ namespace railpem::diagnosis {
 
 namespace {
 
-constexpr int kAnonymousFits = 2;       ///< places whose free correction is fitted in full
+constexpr int kAnonymousFits = 2;       ///< places whose free correction is fitted in full, at most
+constexpr double kNothingLeft = -5.0;   ///< nats that a free correction beside a name promises, of its place: no other way to what the name explains would beat it by the 3 of VerdictThresholds::anonymous, were the name's own freedom worth 8
 constexpr int kAnonymousIterations = 12;
 constexpr double kRest = 0.5;           ///< of what a name explains, that an unknown of its place may explain beyond it
 constexpr double kBesideUnknown = 1.6;  ///< times the effort of the search, after which nothing is tried beside an unknown any more
@@ -117,8 +118,8 @@ class Diagnosing {
         }
     }
 
-    /// Beside the best set no free correction is worth its freedom: in its place none outdoes it either, for beside it that would explain no less. They are fitted where they show a curve, at the places of the set.
-    bool nothing_is_left() const { return !study_.at_named.empty() && study_.at_named.front().nats < 0.0; }
+    /// Beside the best set no free correction is nearly worth its freedom: in its place none outdoes it either, for beside it that would explain no less. They are fitted where they show a curve, at the places of the set.
+    bool nothing_is_left() const { return !study_.at_named.empty() && study_.at_named.front().nats < kNothingLeft; }
 
     bool is_named_place(Element element) const {
         const std::vector<Element> own = elements_of(naming_.sets.front(), nullptr);

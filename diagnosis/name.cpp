@@ -193,7 +193,7 @@ bool Search::further_round(int members) {
         released.push_back(key);
         trials_.try_set(from.fit, from.effects, released, share, false, ahead);
     }
-    if (members == 2 && highest > from.score() + options_.least_gain) trials_.swap_first(winner, from, share);
+    if (members == 2 && highest > from.score() + options_.least_gain) trials_.swap_first(winner, from, highest - from.score(), share);
     if (worth > options_.least_gain) trials_.drop_beside(from, worth);
     if (!trials_.is_blunt()) trials_.drop_needless();
     const FittedSet* larger = trials_.best(static_cast<std::size_t>(members));

@@ -17,6 +17,8 @@ constexpr std::size_t kMostRivals = 6;
 constexpr std::size_t kSeparated = 3;  ///< rivals for which a test is sought
 
 std::string why_not(const FittedSet& set, double behind, const Findings& found) {
+    const std::vector<const FittedSet*>& credible = found.decision.credible;
+    if (std::find(credible.begin(), credible.end(), &set) != credible.end()) return "nothing speaks against it so far";
     if (set.score() < found.naming.retuned.score() + gain_asked(set, found.thresholds)) return "it explains no more than its own freedom costs";
     if (behind < found.thresholds.credible) return "nothing speaks against it so far";
     return "the data are less probable under it by e^" + std::to_string(static_cast<int>(behind));

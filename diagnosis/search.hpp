@@ -37,7 +37,7 @@ class Search {
     /// Whether an unknown of one place explains so much more than the best names, bluntly, that no search will end with a name. Sensors do not count, as in is_evident_among().
     bool is_outdone();
 
-    /// Fits the best single beyond the range of its physics, where it leans on its end; once.
+    /// Fits the best single beyond the range of its physics, where it leans on its end and has no such fit yet.
     void look_beyond_range();
 
     /// Whether that explains more than twice as much as all that could be named: a third member that has more than two together have would have come first.
@@ -53,11 +53,9 @@ class Search {
     Halved half_sharp(const FittedSet& blunt) const;
     void sharpen(const FittedSet& half);
 
-    /// Sharpens the best set of the blunt search, larger than what it saw `first`, or better; `seen`: what was half sharpened of it. Hopeless where that leaves most of what retuning misses, or of what the first leaves.
+    /// Sharpens the best set of the blunt search, larger than what it saw `first`, or better; `seen`: what was half sharpened of it. Hopeless where that leaves most of what retuning misses (nothing is sharpened then), or nearly
+    /// all of what the first leaves (which then is).
     void sharpen_grown(const FittedSet& best, const Halved& first, Halved seen, const Fit& retuned);
-
-    /// Half sharp, a set leaves most `of` what another misses.
-    bool leaves_most(const Halved& half, double of) const;
 
     std::vector<Promise> screened(const Fit& fit);
     bool is_left_out(const std::string& effect) const;

@@ -16,8 +16,8 @@ namespace {
 
 constexpr double kBluntSearch = 0.1;   ///< relative floor
 constexpr double kHalfSharpMiss = 0.05; ///< of what retuning misses, a single that is there may leave when half sharp: axles that bend left nothing, failed fasteners and friction of 1 kN in their own place 0.6 and 2.6 %, fasteners in the place of ballast and of two other effects 7 and 11 %
-constexpr double kHopelessMiss = 0.5;   ///< and its best set, without any hope: those that were right left nothing to 2.6 %, what stood in for a bump stop 70 %, for ground that changes along the line more than retuning. The same of what the single in it
-                                        ///< leaves: no second member is there for that (98 % beside fasteners in the place of a play)
+constexpr double kHopelessMiss = 0.5;   ///< and its best set, without any hope: those that were right left nothing to 2.6 %, what stood in for a bump stop 70 %, for ground that changes along the line more than retuning
+constexpr double kInVain = 0.9;         ///< of what the single in it leaves: no second member is there for that (98 % beside fasteners in the place of a play)
 constexpr double kOutdone = 0.1;       ///< of what an unknown explains bluntly: the best names had 1 % of a linkage of the bogies, a single of the two effects of the paper 48 %
 // Shares of the effort, from which on none of these begins that would not end: further climbs from afar and pairs with the blunt likelihood, starts from afar beside a single.
 constexpr double kBluntFromAfar = 0.65, kBluntPairs = 0.75, kBesideSingle = 0.45;
@@ -66,10 +66,13 @@ void Search::blunt_search() {
 
 void Search::sharpen_grown(const FittedSet& best, const Halved& first, Halved seen, const Fit& retuned) {
     if (!has_members(best, seen.set.effects, seen.set.released)) seen = half_sharp(best);
-    hopeless_ = leaves_most(seen, missed_by(retuned, blunted(context_, kHalfSharpFloor)));
-    if (hopeless_) return;
-    if (!seen.sharpened) sharpen(seen.set);
-    hopeless_ = first.set.members() > 0 && best.members() > first.set.members() && contains(best, first.set) && leaves_most(seen, first.missed);
+    const auto leaves = [&](double share, double of) { return seen.missed > std::max(options_.residual, share * of); };
+    const bool has_single = first.set.members() > 0 && best.members() > first.set.members() && contains(best, first.set);
+    const bool leaves_most = leaves(kHopelessMiss, missed_by(retuned, blunted(context_, kHalfSharpFloor))), in_vain = has_single && leaves(kInVain, first.missed);
+    hopeless_ = leaves_most || in_vain;
+    if (leaves_most) return;
+    const Halved& own = in_vain ? first : seen;
+    if (!own.sharpened) sharpen(own.set);
 }
 
 bool Search::is_outdone() {
@@ -91,14 +94,13 @@ Search::Halved Search::look_sharper(const FittedSet& blunt, const Fit& retuned) 
 Search::Halved Search::half_sharp(const FittedSet& blunt) const {
     Halved own{.set = half_sharpened(believed_, blunt, context_, [this] { say("sharpening", 0.5); })};
     own.missed = missed_by(own.set.fit, blunted(context_, kHalfSharpFloor));
+    own.set.fit.derivatives.reset();  // it goes on from the values alone
     return own;
 }
 
 void Search::sharpen(const FittedSet& half) {
     result_.sets.push_back(sharpened(believed_, half, context_, [this] { say("sharpening", 0.5); }));
 }
-
-bool Search::leaves_most(const Halved& half, double of) const { return half.missed > std::max(options_.residual, kHopelessMiss * of); }
 
 void Search::rescue_round(const FittedSet* beside) {
     const std::vector<Candidate> members = beside ? beside->effects : std::vector<Candidate>{};

@@ -179,7 +179,7 @@ std::size_t SetTrials::prune() {
     return left < members.size() + released.size() ? left : 0;
 }
 
-void SetTrials::swap_first(const Candidate& second, const FittedSet& from, double share) {
+void SetTrials::swap_first(const Candidate& second, const FittedSet& from, double brought, double share) {
     std::vector<const FittedSet*> singles;
     for (const FittedSet& set : result_.sets)
         if (set.effects.size() == 1 && set.released.empty() && !same_variant(set.effects[0].instance, second.instance) &&
@@ -187,7 +187,6 @@ void SetTrials::swap_first(const Candidate& second, const FittedSet& from, doubl
             singles.push_back(&set);
     std::sort(singles.begin(), singles.end(), [](const FittedSet* a, const FittedSet* b) { return a->score() > b->score(); });
     if (singles.size() > kSwaps) singles.resize(kSwaps);
-    const double brought = best(2)->score() - from.score();
     std::vector<Candidate> firsts;
     std::vector<Fit> near;  // sets may move
     for (const FittedSet* single : singles) {
@@ -232,7 +231,10 @@ const FittedSet* SetTrials::single(std::size_t nth) const {
     for (const FittedSet& set : result_.sets)
         if (set.effects.size() == 1 && set.released.empty() && set.score() > result_.retuned.score()) singles.push_back(&set);
     std::sort(singles.begin(), singles.end(), [](const FittedSet* a, const FittedSet* b) { return a->score() > b->score(); });
-    return singles.size() < nth ? nullptr : singles[nth - 1];
+    std::vector<const FittedSet*> variants;  // the best fit of each
+    for (const FittedSet* own : singles)
+        if (std::none_of(variants.begin(), variants.end(), [&](const FittedSet* known) { return same_variant(known->effects[0].instance, own->effects[0].instance); })) variants.push_back(own);
+    return variants.size() < nth ? nullptr : variants[nth - 1];
 }
 
 const FittedSet& SetTrials::leading() const {

@@ -43,8 +43,8 @@ class SetTrials {
     /// then the best set, where that is smaller; 0 otherwise, and where this set was asked about before.
     std::size_t prune();
 
-    /// Pairs in which `second` stays and the first of the set `from`, a single, is replaced by the other promising singles.
-    void swap_first(const Candidate& second, const FittedSet& from, double share);
+    /// Pairs in which `second` stays and the first of the set `from`, a single, is replaced by the other promising singles; `brought`: nats by which the second has improved on the single.
+    void swap_first(const Candidate& second, const FittedSet& from, double brought, double share);
 
     /// Takes out what holds `smaller` and brings less than `least` nats beside it, so that nothing is looked for beside that. Like drop_superfluous().
     void drop_beside(const FittedSet& smaller, double least);
@@ -55,7 +55,7 @@ class SetTrials {
     /// The best set of so many members; none: nullptr.
     const FittedSet* best(std::size_t members) const;
 
-    /// The n-th best single of an effect, better than the retuned case; nullptr: there are fewer.
+    /// The n-th best variant of an effect as a single, better than the retuned case; nullptr: there are fewer.
     const FittedSet* single(std::size_t nth) const;
 
     /// The best set if it is better than the retuned case, which stands for nothing added; else that.

@@ -1,5 +1,5 @@
 #pragma once
-// From fitted sets to a verdict with probabilities and words.
+// From fitted sets to a verdict.
 
 #include "diagnosis/constancy.hpp"
 #include "diagnosis/diagnose.hpp"
@@ -37,7 +37,7 @@ FittedSet without_fit(const FittedSet& set);
 bool adds_nothing(const FittedSet& smaller, const FittedSet& larger, const NamingResult& naming, const VerdictThresholds& thresholds);
 
 /// Takes out the sets that the unseen part speaks against, and those that say no more than a smaller one that was fitted too: each further member has to bring `least_gain`, and what no
-/// fit has seen has to agree. Probabilities and rivals are then those of the sets that are left. True when the best one was taken out.
+/// fit has seen has to agree. Probabilities and rivals are then those of the sets that are left, those that gain what they are asked (gain_asked()) first. True when the first is another one then.
 bool drop_superfluous(NamingResult& naming, const VerdictThresholds& thresholds);
 
 /// Nats of log-evidence with prior by which a set has to be more probable than the retuned case to be named. Where it adds no physics, retuning only had to stay too near a belief: VerdictThresholds::belief_gain.
@@ -77,8 +77,5 @@ std::vector<std::string> without_name_of_friction(std::vector<std::string> label
 
 /// Elements of a set's members.
 std::vector<Element> elements_of(const FittedSet& set, const BelievedCase* believed);
-
-/// One paragraph in plain words.
-std::string statement_of(const Diagnosis& diagnosis);
 
 }  // namespace railpem::diagnosis

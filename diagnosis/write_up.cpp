@@ -16,6 +16,7 @@
 #include "diagnosis/rivals.hpp"
 #include "diagnosis/scalar_likelihood.hpp"
 #include "diagnosis/shows.hpp"
+#include "diagnosis/statement.hpp"
 #include "diagnosis/wheel_unloading.hpp"
 
 namespace railpem::diagnosis {

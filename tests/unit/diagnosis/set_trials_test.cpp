@@ -129,6 +129,7 @@ TEST(SetTrials, SinglesAreRanked) {
     const double worse = own.trials.try_set(own.result.retuned.fit, {own.second}, {}, 0.0).score(), better = own.trials.try_set(own.result.retuned.fit, {own.first}, {}, 0.0).score();
     own.trials.try_set(own.result.retuned.fit, {own.first, own.second}, {}, 0.0);
     own.trials.try_set(own.result.retuned.fit, {}, {"vehicle.bogie_mass_kg"}, 0.0);
+    own.trials.try_set(own.result.retuned.fit, {own.first}, {}, 0.0);  // the same again
     ASSERT_GT(better, worse);
     EXPECT_EQ(own.trials.single(1)->score(), better);
     EXPECT_EQ(own.trials.single(2)->score(), worse);
@@ -142,10 +143,11 @@ TEST(SetTrials, AWorseVariantIsNotSwappedIn) {
         const Candidate other{.instance = gain_of("axlebox_2", 1.1), .probe = gain_of("axlebox_2", 1.1)};
         FittedSet from = own.trials.try_set(own.result.retuned.fit, {own.first}, {}, 0.0);
         own.trials.try_set(own.result.retuned.fit, {other}, {}, 0.0);
-        own.trials.try_set(from.fit, {own.first, own.second}, {}, 0.0);
-        own.result.sets[1].log_prior += from.score() - own.result.sets[1].score() - (far_behind ? own.trials.best(2)->score() - from.score() + 1.0 : 1.0);
+        const double brought = own.trials.try_set(from.fit, {own.first, own.second}, {}, 0.0).score() - from.score();
+        own.result.sets[1].log_prior += from.score() - own.result.sets[1].score() - (far_behind ? brought + 1.0 : 1.0);
+        ASSERT_GT(own.result.sets[1].score(), own.result.retuned.score()) << "else it is none";
         own.said.clear();
-        own.trials.swap_first(own.second, from, 0.0);
+        own.trials.swap_first(own.second, from, brought, 0.0);
         EXPECT_EQ(own.said.empty(), far_behind);
     }
 }

@@ -156,7 +156,16 @@ TEST(Decide, NamesABeliefThatIsFurtherOffThanChance) {
 TEST(Decide, LeavesOnlyThatTogetherWhichExplainsSomething) {
     const auto verdict_beside = [](const FittedSet& other) { return decide(given_naming({given_set({}, {"vehicle.body_mass_kg"}, 2.5, 0.0), other}), {}, thresholds).verdict; };
     EXPECT_EQ(verdict_beside(given_set({}, {"vehicle.bogie_mass_kg"}, 1.6, 0.0)), Verdict::ambiguous);
+    EXPECT_EQ(verdict_beside(given_set({"rail-shear"}, {}, 2.0, 0.0)), Verdict::ambiguous);
     EXPECT_EQ(verdict_beside(given_set({"rail-shear"}, {}, -1.0, 0.0)), Verdict::explained);
+}
+
+TEST(DropSuperfluous, PutsWhatGainsEnoughFirst) {
+    NamingResult naming = given_naming({given_set({"rail-shear"}, {}, 3.0, 0.0), given_set({}, {"vehicle.body_mass_kg"}, 2.9, 0.0)});
+    EXPECT_TRUE(drop_superfluous(naming, thresholds));
+    EXPECT_EQ(naming.sets.front().released.size(), 1u);
+    EXPECT_EQ(decide(naming, {}, thresholds).verdict, Verdict::ambiguous);
+    EXPECT_FALSE(drop_superfluous(naming, thresholds));
 }
 
 TEST(Decide, DoesNotNamePhysicsBeyondItsRange) {
@@ -342,57 +351,6 @@ TEST(BeyondRange, IsNoNumber) {
     const BelievedCase believed;
     const LikelihoodContext context{.believed = &believed, .observations = &none};
     EXPECT_FALSE(fit_beyond_range(believed, leaning_number(given_set({"rail-shear"}, {"vehicle.bogie_mass_kg"}, 100.0, 20.0), 50.0), context, {}));
-}
-
-TEST(Statement, ConsistentSaysWhichNumberHadToGoFar) {
-    Diagnosis diagnosis{.verdict = Verdict::consistent};
-    diagnosis.retuned_numbers = {{.key = "vehicle.body_mass_kg", .tolerances_away = -0.5}, {.key = "vehicle.bogie_mass_kg", .tolerances_away = 1.2}};
-    EXPECT_NE(statement_of(diagnosis).find("retuned within their tolerances the case"), std::string::npos);
-    diagnosis.retuned_numbers.front() = {.key = "vehicle.body_mass_kg", .tolerances_away = -2.6, .outside = true};
-    EXPECT_NE(statement_of(diagnosis).find("retuned (the furthest, vehicle.body_mass_kg, by 2.6 tolerances) the case"), std::string::npos);
-}
-
-TEST(Statement, AmbiguousNamesBothAndWhatWouldDecide) {
-    Diagnosis diagnosis;
-    diagnosis.verdict = Verdict::ambiguous;
-    diagnosis.rivals = {{.effects = {"rail-damper"}, .probability = 0.62, .would_separate = "a run at 33 m/s"}, {.effects = {"rail-shear", "sensor-gain"}, .probability = 0.38}};
-    EXPECT_EQ(statement_of(diagnosis), "Something is missing, and these cannot be told apart with what was recorded: rail-damper (62 %), or rail-shear with sensor-gain (38 %). "
-                                       "What would decide: a run at 33 m/s.");
-}
-
-TEST(Statement, UnexplainedSaysWhereNoCorrectionReaches) {
-    Diagnosis diagnosis;
-    diagnosis.verdict = Verdict::unexplained;
-    diagnosis.places = {{.element = Element::support, .probability = 0.5}, {.element = Element::wheel, .nats = 300.0}, {.element = Element::pad, .probability = 0.5, .nats = 11000.0}};
-    EXPECT_EQ(statement_of(diagnosis), "Something is missing that no known effect explains: as far as it has a name it sits at the support, and the place where a free correction helps most is the pad (11000 nats).");
-}
-
-TEST(Statement, UnexplainedSaysWhereACorrectionPromisesMoreThanAtItsPlace) {
-    Diagnosis diagnosis;
-    diagnosis.verdict = Verdict::unexplained;
-    diagnosis.places = {{.element = Element::wheel, .probability = 1.0, .nats = 2920.0}, {.element = Element::pad, .nats = 46659.0}};
-    EXPECT_EQ(statement_of(diagnosis),
-              "Something is missing that no known effect explains: the most probable place is the wheel (2920 nats); to the retuned case a free correction of the pad promises more (46659 nats).");
-}
-
-TEST(Statement, AmbiguousWithoutANameSaysSo) {
-    Diagnosis diagnosis;
-    diagnosis.verdict = Verdict::ambiguous;
-    diagnosis.rivals = {{.effects = {"suspension-friction"}, .probability = 0.8, .would_separate = "a run at 33 m/s"}, {.effects = {"unknown"}, .probability = 0.2}};
-    EXPECT_EQ(statement_of(diagnosis), "Something is missing, and these cannot be told apart with what was recorded: suspension-friction (80 %), or something there without a name (20 %). "
-                                       "What would decide: a run at 33 m/s.");
-}
-
-TEST(Statement, UnexplainedNamesThePlace) {
-    Diagnosis diagnosis;
-    diagnosis.verdict = Verdict::unexplained;
-    EXPECT_EQ(statement_of(diagnosis), "Something is missing that no known effect explains: no place stands out.");
-    diagnosis.places = {{.element = Element::rail, .probability = 0.97, .nats = 14.2}, {.element = Element::pad, .probability = 0.03, .nats = 6.0}};
-    EXPECT_EQ(statement_of(diagnosis), "Something is missing that no known effect explains: the place where a free correction helps most is the rail (14 nats).");
-    diagnosis.places.front() = {.element = Element::secondary, .nats = 90.0, .forces = true};
-    EXPECT_NE(statement_of(diagnosis).find("secondary (90 nats, by forces of its own, as of a stop"), std::string::npos);
-    diagnosis.places.front() = {.element = Element::support, .nats = 90.0, .forces = true, .resonance_hz = 39.4};
-    EXPECT_NE(statement_of(diagnosis).find("support (90 nats, by what each wheel meets by itself, which resonates near 39 Hz"), std::string::npos);
 }
 
 }  // namespace

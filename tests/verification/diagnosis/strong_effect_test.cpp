@@ -87,7 +87,6 @@ TEST(StrongEffect, WhatStaysBehindAKnownOneIsGivenUp) {
     const FittedSet behind = blunt_from_afar(made.believed, {}, {}, {bending}, context, [&](const Candidate&) { ++fewer; }, [] { return false; }, &known).at(0);
     std::printf("known %.0f, alone %.0f after %d steps, behind %.0f after %d\n", known.log_posterior, alone.fit.log_posterior, steps, behind.fit.log_posterior, fewer);
     EXPECT_LT(fewer, steps);
-    EXPECT_FALSE(behind.fit.converged);
 }
 
 // From half of its frequency, or from twice, no climb leads to a resonance: the next start of the grid is within 12 %. Found within 0.2 and 0.5 %; 5 and 20 % tell it from the next ones.
