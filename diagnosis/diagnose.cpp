@@ -46,7 +46,8 @@ class Diagnosing {
             return std::move(result_);
         }
         if (drop_superfluous(naming_, options_.thresholds)) naming_.left_by_best.clear();  // it was of a set that is gone
-        if (!naming_.interrupted && !(naming_.sets.empty() && misses_much(naming_.retuned.fit, context_)) && rests_on_held_forces(naming_, believed_)) hold_again();
+        const bool has_no_chance = naming_.sets.empty() && misses_much(naming_.retuned.fit, context_);  // of `consistent`, nor of a name
+        if (!naming_.interrupted && !has_no_chance && rests_on_held_forces(naming_, believed_)) hold_again();
         study_places();
         try_beside();
         tell_ground_from_pads(study_);  // only now: beside a name it is fitted at the pads
@@ -121,10 +122,14 @@ class Diagnosing {
     /// Beside the best set no free correction is nearly worth its freedom: in its place none outdoes it either, for beside it that would explain no less. They are fitted where they show a curve, at the places of the set.
     bool nothing_is_left() const { return !study_.at_named.empty() && study_.at_named.front().nats < kNothingLeft; }
 
+    static bool sits_at(const FittedSet& set, Element element) {
+        const std::vector<Element> own = elements_of(set, nullptr);
+        return std::find(own.begin(), own.end(), element) != own.end();
+    }
+
     bool is_named_place(Element element) const {
-        const std::vector<Element> own = elements_of(naming_.sets.front(), nullptr);
-        const auto is_there = [&](Element other) { return std::find(own.begin(), own.end(), other) != own.end(); };
-        return is_there(element) || (element == Element::pad && is_there(Element::support));  // rigid ground has no correction of its own
+        const FittedSet& best = naming_.sets.front();
+        return sits_at(best, element) || (element == Element::pad && sits_at(best, Element::support));  // rigid ground has no correction of its own
     }
 
     const std::vector<LocatedEvidence>& left_by_best() {
@@ -158,9 +163,7 @@ class Diagnosing {
         const FittedSet& unknown = *std::max_element(study_.anonymous.begin(), study_.anonymous.end(), lower);
         if (unknown.score() < best.score() + options_.thresholds.anonymous) return;
         const Element element = unknown.anonymous.front().element;
-        const std::vector<Element> own_places = elements_of(best, nullptr);
-        const bool in_its_place = std::find(own_places.begin(), own_places.end(), element) != own_places.end();
-        if (in_its_place && unknown.score() - best.score() < kRest * (best.score() - naming_.retuned.score())) return;
+        if (sits_at(best, element) && unknown.score() - best.score() < kRest * (best.score() - naming_.retuned.score())) return;
         if (!could_stand_beside(best, naming_.retuned.score(), options_.thresholds)) return;  // whatever it explains
         if (is_spent(kBesideUnknown)) return naming_.not_tested.push_back(left_out_for_effort("the named beside the unknown", effort_, allowed_s()));
         say("the named beside the unknown", 0.91);

@@ -67,9 +67,10 @@ void Search::blunt_search() {
 void Search::sharpen_grown(const FittedSet& best, const Halved& first, Halved seen, const Fit& retuned) {
     if (!has_members(best, seen.set.effects, seen.set.released)) seen = half_sharp(best);
     const auto leaves = [&](double share, double of) { return seen.missed > std::max(options_.residual, share * of); };
-    const bool has_single = first.set.members() > 0 && best.members() > first.set.members() && contains(best, first.set);
+    const bool has_single = first.set.members() > 0 && extends(best, first.set);
     const bool leaves_most = leaves(kHopelessMiss, missed_by(retuned, blunted(context_, kHalfSharpFloor))), in_vain = has_single && leaves(kInVain, first.missed);
     hopeless_ = leaves_most || in_vain;
+    if (hopeless_) result_.not_tested.push_back({"further sets of effects", leaves_most ? "what was found leaves most of what retuning misses" : "no second member explains what the best single leaves"});
     if (leaves_most) return;
     const Halved& own = in_vain ? first : seen;
     if (!own.sharpened) sharpen(own.set);

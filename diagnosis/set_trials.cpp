@@ -205,7 +205,7 @@ void SetTrials::drop_needless() {
 }
 
 void SetTrials::drop_beside(const FittedSet& smaller, double least) {
-    drop_where([&](const FittedSet& set) { return set.members() > smaller.members() && contains(set, smaller) && set.score() < smaller.score() + least; });
+    drop_where([&](const FittedSet& set) { return extends(set, smaller) && set.score() < smaller.score() + least; });
 }
 
 void SetTrials::drop_where(const std::function<bool(const FittedSet&)>& is_dropped) {

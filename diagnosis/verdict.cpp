@@ -70,6 +70,8 @@ bool contains(const FittedSet& larger, const FittedSet& smaller) {
     return std::all_of(smaller.effects.begin(), smaller.effects.end(), has) && std::all_of(smaller.released.begin(), smaller.released.end(), released);
 }
 
+bool extends(const FittedSet& larger, const FittedSet& smaller) { return larger.members() > smaller.members() && contains(larger, smaller); }
+
 bool is_trifling(const FittedSet& set) {
     for (std::size_t u = 0; u < set.fit.unknowns.size(); ++u)
         if (const EffectParameter* parameter = parameter_of(set.fit.unknowns[u]))
@@ -90,7 +92,7 @@ double least_addition(const FittedSet& smaller, double nothing, const VerdictThr
 }  // namespace
 
 bool adds_nothing(const FittedSet& smaller, const FittedSet& larger, const NamingResult& naming, const VerdictThresholds& thresholds) {
-    return smaller.members() < larger.members() && contains(larger, smaller) &&
+    return extends(larger, smaller) &&
            (larger.score() < smaller.score() + least_addition(smaller, naming.retuned.score(), thresholds) || unseen_disagrees(smaller, larger, naming.unseen_share) ||
             (is_trifling(larger) && !is_trifling(smaller)) || (has_one_that_hardly_is(larger) && !has_one_that_hardly_is(smaller)));
 }
@@ -99,7 +101,7 @@ namespace {
 
 bool says_as_much(const FittedSet& smaller, const FittedSet& larger, const NamingResult& naming, const VerdictThresholds& thresholds) {
     const double nothing = naming.retuned.score();
-    return adds_nothing(smaller, larger, naming, thresholds) || (smaller.members() < larger.members() && contains(larger, smaller) && leans(larger, nothing) && !leans(smaller, nothing));
+    return adds_nothing(smaller, larger, naming, thresholds) || (extends(larger, smaller) && leans(larger, nothing) && !leans(smaller, nothing));
 }
 
 /// The same hypothesis, fitted from another start.

@@ -69,6 +69,9 @@ Decision decide(const NamingResult& naming, const PlaceStudy& places, const Verd
 /// Every member of `smaller` is in `larger`: the larger one does not contradict it, it only says more.
 bool contains(const FittedSet& larger, const FittedSet& smaller);
 
+/// It has every member of `smaller`, and more.
+bool extends(const FittedSet& larger, const FittedSet& smaller);
+
 /// Labels of a set's members, parameter-errors included.
 std::vector<std::string> labels_of(const FittedSet& set);
 
