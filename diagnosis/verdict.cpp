@@ -18,7 +18,7 @@ constexpr double kHeldOutChance = 2.0;  ///< nats by which the unseen part may s
 constexpr double kRepeated = 0.4;      ///< of its share, what is there repeats at least: 0.7 to 1.1 in marched records, names that were wrong 0.2 to 0.3
 constexpr double kRepeatDeviations = 1.5;  ///< of chance: a gain of n nats has the variance 2n
 // The same where a belief is only given up: nothing was sought that chance could have offered, as distances of a comb are (sleeper passing six times as strong repeated 0.22 of 23 nats, 2.6 deviations too little).
-constexpr double kBeliefRepeated = 0.2, kBeliefDeviations = 2.5;
+constexpr double kBeliefDeviations = 2.5;
 
 /// Members that retuning has not moved within a belief.
 long new_to_retuning(const FittedSet& set) {
@@ -32,8 +32,8 @@ bool unseen_disagrees(const FittedSet& smaller, const FittedSet& larger, double 
     const bool only_given_up = new_to_retuning(larger) == new_to_retuning(smaller);
     const double repeated = larger.held_out - smaller.held_out;
     const double expected = unseen_share * std::max(0.0, larger.fit.log_likelihood - smaller.fit.log_likelihood);
-    const double share = only_given_up ? kBeliefRepeated : kRepeated, deviations = only_given_up ? kBeliefDeviations : kRepeatDeviations;
-    const double least = std::max(0.0, std::min(share * expected, expected - deviations * std::sqrt(2.0 * expected)));
+    const double deviations = only_given_up ? kBeliefDeviations : kRepeatDeviations;
+    const double least = std::max(0.0, std::min(kRepeated * expected, expected - deviations * std::sqrt(2.0 * expected)));
     return repeated < least - (only_given_up ? kHeldOutChance : 0.0);
 }
 
