@@ -46,20 +46,15 @@ TEST(BeyondRange, AnAbsorberOnTheAxlesActsLikeAnAxleThatBendsTooLow) {
         }
 }
 
-// A mode of axles at 36 Hz leans on the 50 Hz of its range, and a gain that is off brings little beside it; beyond its range the mode explains more than twice what both do. The gain of a second sensor, which is off, too, is not looked for beside it,
-// nor what each of both brings, nor the mode within its range from afar.
+// A mode of axles at 36 Hz leans on the 50 Hz of its range, and a gain that is off brings little beside it; beyond its range the mode explains more than twice what both do. The gain of a second sensor, which is off, too, is not looked for beside it.
 TEST(BeyondRange, EndsTheSearchForThirdMembers) {
     Synthesised made = two_speeds(80.0);
     const auto gain_of = [](const std::string& channel) { return EffectInstance{.effect = "sensor-gain", .values = {{"gain", 1.005}}, .choices = {{"channel", channel}}}; };
     made.truth.effects = {{.effect = "wheelset-bending", .values = {{"frequency_hz", 36.0}, {"damping_ratio", 0.05}, {"modal_mass_kg", 1500.0}}, .choices = {}}, gain_of("bogie_1"), gain_of("bogie_2")};
     made.draw(6);
     bool asked = false;
-    std::vector<std::string> after;
     NamingOptions options;
-    options.progress = [&](const std::string& what, double) {
-        asked = asked || what == "the best single beyond its range";
-        if (asked) after.push_back(what);
-    };
+    options.progress = [&](const std::string& what, double) { asked = asked || what == "the best single beyond its range"; };
     for (const Effect& effect : effects())
         if (effect.id != "wheelset-bending" && effect.id != "sensor-gain") options.without.push_back(effect.id);
     const NamingResult found = name_physics(made.believed, made.context(Part::fitted, 2), options);
@@ -69,10 +64,6 @@ TEST(BeyondRange, EndsTheSearchForThirdMembers) {
     EXPECT_TRUE(asked);
     EXPECT_TRUE(bends_among(2));
     EXPECT_FALSE(bends_among(3));
-    const auto was_said = [&](const std::string& what) { return std::find(after.begin(), after.end(), what) != after.end(); };
-    EXPECT_FALSE(was_said(label_of(gain_of("bogie_1"))));
-    EXPECT_FALSE(was_said(label_of(gain_of("bogie_2"))));
-    EXPECT_FALSE(was_said("wheelset-bending from afar"));
 }
 
 // Bogies three times as heavy are a wrong number, 4.2 times as heavy are not: where nothing else can be named, nothing is, and what remains says why.
