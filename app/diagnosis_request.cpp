@@ -4,7 +4,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <exception>
+#include <iterator>
 #include <set>
+#include <utility>
 
 #include "app/diagnosed_case.hpp"
 #include "app/diagnosis_inputs.hpp"
@@ -19,6 +22,7 @@
 #include "diagnosis/hold_out_recordings.hpp"
 #include "diagnosis/observe_scalars.hpp"
 #include "diagnosis/rail_sides.hpp"
+#include "pem/threads.hpp"
 #include "recordings/inspection.hpp"
 
 namespace railpem::app {
@@ -36,6 +40,15 @@ struct LoadedRecordings {
         observations.push_back(observation);
         faults.push_back(std::move(own_faults));
         channels_not_used.push_back(std::move(not_used));
+    }
+
+    void append(LoadedRecordings other) {
+        const auto move_to = [](auto& from, auto& to) { to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end())); };
+        move_to(other.observations, observations);
+        move_to(other.faults, faults);
+        move_to(other.channels_not_used, channels_not_used);
+        move_to(other.irregularity_measured, irregularity_measured);
+        move_to(other.irregularity, irregularity);
     }
 };
 
@@ -91,24 +104,56 @@ void add_series(const recordings::Recording& recording, const RecordingFile& des
     }
 }
 
-LoadedRecordings load_recordings(const DiagnosisRequest& request, const CaseFile& file, const diagnosis::BelievedCase& believed) {
-    LoadedRecordings loaded;
+/// What is on disk of a recording.
+struct ReadRecording {
+    std::string path;
+    RecordingFile description;
+    recordings::Recording recording;
+};
+
+std::vector<ReadRecording> read_recordings(const DiagnosisRequest& request) {
+    std::vector<ReadRecording> read;
     std::set<std::string> data_files;
     for (const std::string& path : request.recordings) {
-        const RecordingFile description = read_recording(path);
-        const recordings::Recording recording = load_recording(description);
+        RecordingFile description = read_recording(path);
+        recordings::Recording recording = load_recording(description);
         if (!data_files.insert(std::filesystem::weakly_canonical(recording.file).string()).second)
             throw InputError(fmt::format("{}: the same data file twice would count its evidence twice\nallowed: data of its own for each recording", path));
-        if (recording.irregularity.brought()) loaded.irregularity.push_back(recording.irregularity);
-        const diagnosis::ObservationOptions options{.window_s = request.window_s, .held_out_share = request.held_out};
-        if (recording.description.kind == recordings::RecordingKind::timeseries) {
-            add_series(recording, description, path, file, believed, options, loaded);
-            continue;
+        read.push_back({path, std::move(description), std::move(recording)});
+    }
+    return read;
+}
+
+LoadedRecordings loaded_from(const ReadRecording& own, const DiagnosisRequest& request, const CaseFile& file, const diagnosis::BelievedCase& believed) {
+    LoadedRecordings loaded;
+    if (own.recording.irregularity.brought()) loaded.irregularity.push_back(own.recording.irregularity);
+    const diagnosis::ObservationOptions options{.window_s = request.window_s, .held_out_share = request.held_out};
+    if (own.recording.description.kind == recordings::RecordingKind::timeseries) {
+        add_series(own.recording, own.description, own.path, file, believed, options, loaded);
+        return loaded;
+    }
+    // Nothing to inspect: what it lacks is part of what the verdict rests on.
+    const auto observation = reading_data(own.description, [&] { return diagnosis::observe_scalars(own.recording, own.description.name, believed.numbers, options); });
+    loaded.irregularity_measured.push_back(own.recording.irregularity.brought());
+    loaded.add(observation, {}, unused_spectra(own.recording, observation));
+    return loaded;
+}
+
+/// Read one after the other, for not every library that reads is safe between threads; looked at side by side.
+LoadedRecordings load_recordings(const DiagnosisRequest& request, const CaseFile& file, const diagnosis::BelievedCase& believed) {
+    const std::vector<ReadRecording> read = read_recordings(request);
+    std::vector<LoadedRecordings> parts(read.size());
+    std::vector<std::exception_ptr> failures(read.size());
+#pragma omp parallel for schedule(dynamic, 1) num_threads(pem::thread_count(request.threads))
+    for (std::size_t i = 0; i < read.size(); ++i) try {
+            parts[i] = loaded_from(read[i], request, file, believed);
+        } catch (...) {
+            failures[i] = std::current_exception();
         }
-        // Nothing to inspect: what it lacks is part of what the verdict rests on.
-        const auto observation = reading_data(description, [&] { return diagnosis::observe_scalars(recording, description.name, believed.numbers, options); });
-        loaded.irregularity_measured.push_back(recording.irregularity.brought());
-        loaded.add(observation, {}, unused_spectra(recording, observation));
+    LoadedRecordings loaded;
+    for (std::size_t i = 0; i < read.size(); ++i) {
+        if (failures[i]) std::rethrow_exception(failures[i]);
+        loaded.append(std::move(parts[i]));
     }
     diagnosis::hold_out_recordings(loaded.observations);
     return loaded;

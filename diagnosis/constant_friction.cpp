@@ -92,7 +92,7 @@ std::vector<Observation> with_constant_friction(const Trial& trial, const Likeli
 
 double power_of_constant(const Fit& fit, const LikelihoodContext& context, const std::vector<PredictionDerivative>& with_power) {
     Fit there = fit;
-    if (!there.derivatives) there.derivatives = std::make_shared<Derivatives>(Derivatives{.names = {}, .values = derivatives_of(fit, context), .at = {}});
+    restore_derivatives(there, context);
     std::vector<Observation> drawn = with_constant_friction(fit.trial, context);
     LikelihoodContext own = context;
     own.observations = &drawn;

@@ -1,6 +1,10 @@
 #include "diagnosis/correction_derivatives.hpp"
 
 #include <algorithm>
+#include <exception>
+#include <iterator>
+
+#include "pem/threads.hpp"
 
 namespace railpem::diagnosis {
 
@@ -20,6 +24,29 @@ std::vector<Unknown> whole_curves(const std::vector<Unknown>& freedom, std::size
 /// Below the wheels a place also acts where its frequency is not: the lines of passing supports are made by the track at rest.
 bool acts_elsewhere(Element element) { return element == Element::rail || element == Element::pad || element == Element::support; }
 
+/// What a node weighs at the bins of an observation.
+std::vector<double> node_weights(const CorrectionPlace& place, std::size_t part, const std::vector<double>& nodes, std::size_t node, const Observation& observation) {
+    std::vector<double> weights(observation.bins());
+    for (std::size_t bin = 0; bin < weights.size(); ++bin) weights[bin] = correction_weight(place, part, nodes, node, observation.frequency(bin));
+    return weights;
+}
+
+/// The derivative with a node from that with the whole curve, on the bins where the node weighs anything: few of them.
+PredictionDerivative at_node(const PredictionDerivative& whole, const std::vector<double>& weights, std::size_t elements) {
+    PredictionDerivative own{.observation = whole.observation};
+    const auto weighs = [](double weight) { return weight != 0.0; };
+    const auto first = std::find_if(weights.begin(), weights.end(), weighs);
+    const auto last = std::find_if(weights.rbegin(), std::make_reverse_iterator(first), weighs).base();
+    if (whole.values.empty()) return own;
+    own.first_bin = static_cast<std::size_t>(first - weights.begin());
+    own.values.reserve(static_cast<std::size_t>(last - first) * elements);
+    for (auto weight = first; weight != last; ++weight) {
+        const std::complex<double>* values = &whole.values[static_cast<std::size_t>(weight - weights.begin()) * elements];
+        std::transform(values, values + elements, std::back_inserter(own.values), [&](const std::complex<double>& value) { return *weight * value; });
+    }
+    return own;
+}
+
 }  // namespace
 
 std::vector<PredictionDerivative> correction_derivatives(const Fit& fit, const CorrectionPlace& place, const LikelihoodContext& context) {
@@ -29,18 +56,21 @@ std::vector<PredictionDerivative> correction_derivatives(const Fit& fit, const C
     if ((acts_elsewhere(place.element) && !place.forces) || std::any_of(observations.begin(), observations.end(), is_scalar)) return differentiate(fit.trial, freedom, means(freedom), fit.predictions, context);
     const std::vector<double> nodes = correction_nodes(place, observations);
     const std::vector<Unknown> whole = whole_curves(freedom, nodes.size());
-    std::vector<PredictionDerivative> result;
-    for (const PredictionDerivative& part : differentiate(fit.trial, whole, means(whole), fit.predictions, context))
-        for (std::size_t node = 0; node < nodes.size(); ++node) {
+    const std::vector<PredictionDerivative> parts = differentiate(fit.trial, whole, means(whole), fit.predictions, context);
+    std::vector<PredictionDerivative> result(parts.size() * nodes.size());
+    std::exception_ptr failure;  // without memory, say
+#pragma omp parallel for schedule(dynamic, 1) num_threads(pem::thread_count(context.threads))
+    for (std::size_t i = 0; i < result.size(); ++i) try {
+            const PredictionDerivative& part = parts[i / nodes.size()];
+            const std::size_t node = i % nodes.size();
             const Observation& observation = observations[static_cast<std::size_t>(part.observation)];
-            const std::size_t size = observation.channels.size() * observation.channels.size();
-            PredictionDerivative own{part.observation, static_cast<int>(node * whole.size()) + part.unknown, std::vector<std::complex<double>>(part.values.size(), 0.0)};
-            for (std::size_t bin = 0; bin < observation.bins(); ++bin) {
-                const double weight = correction_weight(place, static_cast<std::size_t>(part.unknown), nodes, node, observation.frequency(bin));
-                for (std::size_t i = bin * size; weight != 0.0 && i < (bin + 1) * size; ++i) own.values[i] = weight * part.values[i];
-            }
-            result.push_back(std::move(own));
+            result[i] = at_node(part, node_weights(place, static_cast<std::size_t>(part.unknown), nodes, node, observation), observation.channels.size() * observation.channels.size());
+            result[i].unknown = static_cast<int>(node * whole.size()) + part.unknown;
+        } catch (...) {
+#pragma omp critical(railpem_predict)
+            failure = std::current_exception();
         }
+    if (failure) std::rethrow_exception(failure);
     return result;
 }
 

@@ -1,6 +1,7 @@
 #include "diagnosis/derivatives.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <exception>
 #include <map>
@@ -92,6 +93,7 @@ namespace {
 
 /// `known` with every channel's amplitude changed by its ratio; `scaled` may be `known`.
 void scale(const PredictionDerivative& known, const std::vector<std::vector<double>>& ratios, const std::vector<ExpectedSpectra>& from, PredictionDerivative& scaled) {
+    assert(known.first_bin == 0);
     const std::vector<double>& ratio = ratios[static_cast<std::size_t>(known.observation)];
     const std::size_t size = from[static_cast<std::size_t>(known.observation)].channels;
     if (size == 0 || known.values.empty()) return static_cast<void>(scaled.values = known.values);

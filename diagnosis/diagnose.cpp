@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <memory>
 
 #include "diagnosis/effort.hpp"
 #include "diagnosis/from_afar.hpp"
@@ -20,7 +21,7 @@ namespace railpem::diagnosis {
 namespace {
 
 constexpr int kAnonymousFits = 2;       ///< places whose free correction is fitted in full, at most
-constexpr double kNothingLeft = -5.0;   ///< nats that a free correction beside a name promises, of its place: no other way to what the name explains would beat it by the 3 of VerdictThresholds::anonymous, were the name's own freedom worth 8
+constexpr double kNothingLeft = -5.0;   ///< nats that a free correction beside a name promises: no other way to what the name explains would beat it by the 3 of VerdictThresholds::anonymous, were the name's own freedom worth 8
 constexpr int kAnonymousIterations = 12;
 constexpr double kRest = 0.5;           ///< of what a name explains, that an unknown of its place may explain beyond it
 constexpr double kBesideUnknown = 1.6;  ///< times the effort of the search, after which nothing is tried beside an unknown any more
@@ -91,13 +92,7 @@ class Diagnosing {
         const std::vector<LocatedEvidence>& ranked = naming_.left_by_retuned;
         study_.at_retuned = evidence(ranked);
         study_.by_retuned = missed_by(naming_.retuned.fit, context_);
-        if (!naming_.sets.empty()) restore_caches(naming_.sets.front().fit, context_);
-        if (!naming_.sets.empty()) study_.by_named = missed_by(naming_.sets.front().fit, context_);
-        if (!naming_.sets.empty()) study_.named_level_db = repeated_level_db(naming_.sets.front().fit, observations_);
-        if (!naming_.sets.empty()) study_.by_recording = constancy(naming_.sets.front().fit, context_);
-        if (!naming_.sets.empty() && names_friction(naming_.sets.front())) study_.friction = friction_law(naming_.sets.front().fit, context_);
-        if (!naming_.sets.empty() && naming_.sets.front().score() > naming_.retuned.score() + gain_asked(naming_.sets.front(), options_.thresholds))
-            study_.at_named = evidence(left_by_best());
+        if (!naming_.sets.empty()) study_named(naming_.sets.front());
         if (leaves_much()) {
             const auto between = [this](const std::string& what) { say(what, 0.85); };
             if (naming_.blunt_corrections.sets.empty()) naming_.blunt_corrections = blunt_corrections(believed_, context_, between);
@@ -110,7 +105,7 @@ class Diagnosing {
         int fitted = 0;
         for (const LocatedEvidence& own : ranked) {
             if (fitted == kAnonymousFits || own.nats < options_.naming.least_promise) break;
-            if (nothing_is_left() && !is_named_place(own.place.element)) continue;
+            if (nothing_is_left_at(own.place.element) && !is_named_place(own.place.element)) continue;
             say("free correction of the " + element_name(own.place.element), 0.82 + 0.05 * fitted++);
             // Where retuning misses much, most cannot come near what is named, and a blunt likelihood sees that in less than half the time.
             FitOptions fit_options{.iterations = kAnonymousIterations, .least_gain = kAnonymousGain, .from_far = misses_much(naming_.retuned.fit, context_)};
@@ -119,8 +114,25 @@ class Diagnosing {
         }
     }
 
-    /// Beside the best set no free correction is nearly worth its freedom: in its place none outdoes it either, for beside it that would explain no less. They are fitted where they show a curve, at the places of the set.
-    bool nothing_is_left() const { return !study_.at_named.empty() && study_.at_named.front().nats < kNothingLeft; }
+    /// What the best set leaves, and how well it holds.
+    void study_named(FittedSet& best) {
+        const std::shared_ptr<const Derivatives> kept = best.fit.derivatives;
+        restore_caches(best.fit, context_);
+        restore_derivatives(best.fit, context_);
+        study_.by_named = missed_by(best.fit, context_);
+        study_.named_level_db = repeated_level_db(best.fit, observations_);
+        study_.by_recording = constancy(best.fit, context_);
+        if (names_friction(best)) study_.friction = friction_law(best.fit, context_);
+        if (best.score() > naming_.retuned.score() + gain_asked(best, options_.thresholds)) study_.at_named = evidence(left_by_best());
+        best.fit.derivatives = kept;  // two hundred megabytes that a free correction needs
+    }
+
+    /// Beside the best set a place's free correction is not nearly worth its freedom: in its place it does not outdo it either, for beside it that would explain no less. Where it shows a curve, at the places of the
+    /// set, it is fitted all the same.
+    bool nothing_is_left_at(Element element) const {
+        const auto own = std::find_if(study_.at_named.begin(), study_.at_named.end(), [&](const PlaceEvidence& evidence) { return evidence.element == element; });
+        return own != study_.at_named.end() && own->nats < kNothingLeft;
+    }
 
     static bool sits_at(const FittedSet& set, Element element) {
         const std::vector<Element> own = elements_of(set, nullptr);

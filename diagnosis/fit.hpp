@@ -71,6 +71,9 @@ std::vector<PredictionDerivative> derivatives_of(const Fit& fit, const Likelihoo
 /// Fills the caches of a fit's predictions again where they were let go: combs are sought in its transfers, and many derivatives there would each solve the rail.
 void restore_caches(Fit& fit, const LikelihoodContext& context);
 
+/// Takes the derivatives of a fit again where they were let go, for who asks for them more than once.
+void restore_derivatives(Fit& fit, const LikelihoodContext& context);
+
 /// Means of the unknowns' beliefs.
 std::vector<double> means(const std::vector<Unknown>& unknowns);
 

@@ -172,12 +172,13 @@ std::vector<FittedSet> blunt_from_afar(const BelievedCase& believed, const Fit& 
     const double least = rival ? log_likelihood(rival->trial, rival->predictions, sparse) + log_belief(rival->unknowns, rival->values) : -std::numeric_limits<double>::infinity();
     std::vector<std::vector<Start>> starts;
     for (const std::vector<Candidate>& own : variants) starts.push_back(approached(believed, without, members, own, sparse, least, between));
+    const double nothing = log_likelihood(without.trial, without.predictions, sparse) + log_belief(without.unknowns, without.values);
     const auto height = [](const std::vector<Start>& own) { return own.front().near.log_posterior; };
     std::stable_sort(starts.begin(), starts.end(), [&](const auto& a, const auto& b) { return height(a) > height(b); });
     std::vector<FittedSet> sets;
     sets.reserve(starts.size());  // the rival is one of them
     for (const std::vector<Start>& own : starts) {
-        if (sets.size() >= kClimbedAnyway && enough()) break;
+        if (sets.size() >= kClimbedAnyway && (height(own) < nothing || enough())) break;
         sets.push_back(climbed(believed, own, rival, blunt, between));
         if (!rival || sets.back().fit.log_posterior > rival->log_posterior) rival = &sets.back().fit;
     }

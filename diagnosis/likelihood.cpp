@@ -55,8 +55,9 @@ ChunkUnknowns unknowns_of(const Chunk& chunk, const std::vector<Unknown>& unknow
     const std::size_t size = observation.channels.size();
     for (const PredictionDerivative& derivative : derivatives) {
         if (derivative.observation != static_cast<int>(chunk.observation) || derivative.values.empty()) continue;
+        const std::size_t first = derivative.first_bin * size * size, from = std::max(chunk.first * size * size, first), to = std::min((chunk.first + chunk.count) * size * size, first + derivative.values.size());
         bool zero = true;  // many unknowns of the irregularity move a few bins only
-        for (std::size_t i = chunk.first * size * size; i < (chunk.first + chunk.count) * size * size && zero; ++i) zero = derivative.values[i] == 0.0;
+        for (std::size_t i = from; i < to && zero; ++i) zero = derivative.values[i - first] == 0.0;
         if (!zero) own.derivatives.push_back(&derivative);
     }
     const int low = floor_place(observation.frequency(chunk.first)).node, high = floor_place(observation.frequency(chunk.first + chunk.count - 1)).node + 1;
@@ -66,6 +67,12 @@ ChunkUnknowns unknowns_of(const Chunk& chunk, const std::vector<Unknown>& unknow
         if (unknowns[u].kind == UnknownKind::floor && node >= low && node <= high) own.floors.push_back(u);
     }
     return own;
+}
+
+/// A derivative at a bin, where it has none `nothing`.
+const Complex* values_at(const PredictionDerivative& derivative, std::size_t bin, std::size_t elements, const std::vector<Complex>& nothing) {
+    const bool has = bin >= derivative.first_bin && (bin - derivative.first_bin) * elements < derivative.values.size();
+    return has ? &derivative.values[(bin - derivative.first_bin) * elements] : nothing.data();
 }
 
 /// Columns of the noise and of the floor: derivatives of powers on the diagonal.
@@ -101,6 +108,7 @@ LikelihoodSlope chunk_slope(const Chunk& chunk, const Trial& trial, const std::v
     WhitenedColumns columns(size, own.size(), own.derivatives.size());
     LikelihoodSlope slope;
     std::vector<double> diagonal(size);
+    const std::vector<Complex> nothing(size * size);
     WhitenedBin white;
     const double weight = weight_of(context, data);
     for (std::size_t bin = chunk.first; bin < chunk.first + chunk.count; bin += context.every) {
@@ -110,7 +118,7 @@ LikelihoodSlope chunk_slope(const Chunk& chunk, const Trial& trial, const std::v
         const std::array<double, kFloorGroups> floors = floors_at(trial, observation.frequency(bin), context.least_floor);
         for (std::size_t c = 0; c < size; ++c) diagonal[c] = 1.0 + floors[floor_group(observation.channels[c].response)];  // the floor grows with the prediction
         columns.begin(white.inverse_factor, white.amplification);
-        for (std::size_t d = 0; d < own.derivatives.size(); ++d) columns.set(d, &own.derivatives[d]->values[bin * size * size], diagonal.data());
+        for (std::size_t d = 0; d < own.derivatives.size(); ++d) columns.set(d, values_at(*own.derivatives[d], bin, size * size, nothing), diagonal.data());
         columns.whiten();
         add_diagonal_columns(trial, unknowns, own, observation, o, predictions[o], bin, white.amplification, columns);
         columns.end(white.residual, white.scale, white.projection);

@@ -26,6 +26,7 @@ struct PredictionDerivative {
     int observation = 0;
     int unknown = 0;
     std::vector<std::complex<double>> values;  ///< as ExpectedSpectra::values
+    std::size_t first_bin = 0;                 ///< of the values, within ExpectedSpectra; before and behind them it is zero
 };
 
 /// Second-order picture of the log-likelihood around a trial.

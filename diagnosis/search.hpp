@@ -43,15 +43,17 @@ class Search {
     /// Whether that explains more than twice as much as all that could be named: a third member that has more than two together have would have come first.
     bool is_outdone_beyond_range() const;
 
-    /// A set of the blunt search, half sharp, and what it misses there; sharpened at once where that is next to nothing of what retuning misses.
+    /// A set of the blunt search, half sharp, and what it misses there; sharpened at once where that is next to nothing of what retuning misses, unless it extends the `first` in vain.
     struct Halved {
         FittedSet set;
         double missed = 0.0;
         bool sharpened = false;
     };
-    Halved look_sharper(const FittedSet& blunt, const Fit& retuned);
+    Halved look_sharper(const FittedSet& blunt, const Halved& first, const Fit& retuned);
     Halved half_sharp(const FittedSet& blunt) const;
     void sharpen(const FittedSet& half);
+    bool leaves(const Halved& own, double share, double of) const;
+    bool is_in_vain(const Halved& own, const Halved& first) const;  ///< its further member explains hardly anything of what the first leaves
 
     /// Sharpens the best set of the blunt search, larger than what it saw `first`, or better; `seen`: what was half sharpened of it. Hopeless where that leaves most of what retuning misses (nothing is sharpened then), or nearly
     /// all of what the first leaves (which then is).

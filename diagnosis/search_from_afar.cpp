@@ -40,7 +40,7 @@ void Search::blunt_search() {
     const double single = search.trials_.leading().score();
     Halved first, seen;
     if (single > found.retuned.score() + options_.least_gain) {
-        first = look_sharper(search.trials_.leading(), found.retuned.fit);
+        first = look_sharper(search.trials_.leading(), first, found.retuned.fit);
         if (trials_.names() && leaves_little()) return grow_leading();
     }
     if (search.misses()) search.rescue_round();  // before anything is added to what stands in for it
@@ -49,7 +49,7 @@ void Search::blunt_search() {
     const double least = std::max(single, found.retuned.score()) + options_.least_gain;
     // Before more is looked for: what is there leaves misfit, too, as long as it is fitted bluntly (both effects of the paper, seed 9601).
     if (search.misses() && search.trials_.leading().score() > least) {
-        seen = look_sharper(search.trials_.leading(), found.retuned.fit);
+        seen = look_sharper(search.trials_.leading(), first, found.retuned.fit);
         if (trials_.names() && leaves_little()) return grow_leading();
     }
     outdone_ = search.misses() && search.is_outdone();
@@ -66,9 +66,7 @@ void Search::blunt_search() {
 
 void Search::sharpen_grown(const FittedSet& best, const Halved& first, Halved seen, const Fit& retuned) {
     if (!has_members(best, seen.set.effects, seen.set.released)) seen = half_sharp(best);
-    const auto leaves = [&](double share, double of) { return seen.missed > std::max(options_.residual, share * of); };
-    const bool has_single = first.set.members() > 0 && extends(best, first.set);
-    const bool leaves_most = leaves(kHopelessMiss, missed_by(retuned, blunted(context_, kHalfSharpFloor))), in_vain = has_single && leaves(kInVain, first.missed);
+    const bool leaves_most = leaves(seen, kHopelessMiss, missed_by(retuned, blunted(context_, kHalfSharpFloor))), in_vain = is_in_vain(seen, first);
     hopeless_ = leaves_most || in_vain;
     if (hopeless_) result_.not_tested.push_back({"further sets of effects", leaves_most ? "what was found leaves most of what retuning misses" : "no second member explains what the best single leaves"});
     if (leaves_most) return;
@@ -85,9 +83,13 @@ bool Search::is_outdone() {
     return trials_.leading().score() - nothing < kOutdone * most;
 }
 
-Search::Halved Search::look_sharper(const FittedSet& blunt, const Fit& retuned) {
+bool Search::leaves(const Halved& own, double share, double of) const { return own.missed > std::max(options_.residual, share * of); }
+
+bool Search::is_in_vain(const Halved& own, const Halved& first) const { return first.set.members() > 0 && extends(own.set, first.set) && leaves(own, kInVain, first.missed); }
+
+Search::Halved Search::look_sharper(const FittedSet& blunt, const Halved& first, const Fit& retuned) {
     Halved own = half_sharp(blunt);
-    own.sharpened = own.missed < kHalfSharpMiss * missed_by(retuned, blunted(context_, kHalfSharpFloor));
+    own.sharpened = own.missed < kHalfSharpMiss * missed_by(retuned, blunted(context_, kHalfSharpFloor)) && !is_in_vain(own, first);
     if (own.sharpened) sharpen(own.set);
     return own;
 }

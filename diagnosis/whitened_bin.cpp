@@ -113,40 +113,42 @@ std::array<double, kFloorGroups> floors_at(const Trial& trial, double frequency_
 }
 
 void whiten(const Trial& trial, const Observation& observation, std::size_t index, const ExpectedSpectra& prediction,
-            const MeasuredSpectra& data, std::size_t bin, double least_floor, const BinPower* known, WhitenedBin& best) {
+            const MeasuredSpectra& data, std::size_t bin, double least_floor, const BinPower* known, WhitenedBin& result) {
     const Parts parts = parts_of(trial, observation, index, prediction, data, bin, least_floor);
     double s = known ? known->log_amplification : 0.0;
-    best.projection = best.bend = 0.0;
-    whiten_at(parts, s, best);
-    if (!std::isfinite(best.log_likelihood)) return;
-    double processes = trace_of_product(best.scale, best.scale, parts.size);
-    best.processes = known ? known->processes : processes;
-    if (best.processes < 1.0 + kLeastExcess) return;
-    const double stiffness = best.processes / (best.processes - 1.0);  // 1/(v·n)
-    best.log_likelihood -= 0.5 * stiffness * s * s;
-    double slope = trace_of_product(best.scale, best.residual, parts.size) - stiffness * s, bend = processes + stiffness;
+    result.projection = result.bend = 0.0;
+    whiten_at(parts, s, result);
+    if (!std::isfinite(result.log_likelihood)) return;
+    double processes = trace_of_product(result.scale, result.scale, parts.size);
+    result.processes = known ? known->processes : processes;
+    if (result.processes < 1.0 + kLeastExcess) return;
+    const double stiffness = result.processes / (result.processes - 1.0);  // 1/(v·n)
+    result.log_likelihood -= 0.5 * stiffness * s * s;
+    double slope = trace_of_product(result.scale, result.residual, parts.size) - stiffness * s, bend = processes + stiffness;
     if (known && known->bend > 0.0) bend = std::clamp(known->bend, bend / kShorter, kShorter * bend);
-    WhitenedBin next;
+    WhitenedBin other;  // of twelve kilobytes: the two take turns
+    WhitenedBin *best = &result, *next = &other;
     for (int i = 0; i < kSteps; ++i) {
         const double step = std::clamp(slope / bend, -kLongestNewtonStep, kLongestNewtonStep);
         if (std::abs(step) < kNoStep) break;
-        whiten_at(parts, s + step, next);
-        next.log_likelihood -= 0.5 * stiffness * (s + step) * (s + step);
-        if (!(next.log_likelihood > best.log_likelihood)) {
+        whiten_at(parts, s + step, *next);
+        next->log_likelihood -= 0.5 * stiffness * (s + step) * (s + step);
+        if (!(next->log_likelihood > best->log_likelihood)) {
             bend *= kShorter;
             continue;
         }
-        const double there = trace_of_product(next.scale, next.residual, parts.size) - stiffness * (s + step), secant = (slope - there) / step;
+        const double there = trace_of_product(next->scale, next->residual, parts.size) - stiffness * (s + step), secant = (slope - there) / step;
         s += step;
         slope = there;
-        next.processes = best.processes;
+        next->processes = best->processes;
         std::swap(best, next);
-        processes = trace_of_product(best.scale, best.scale, parts.size);
+        processes = trace_of_product(best->scale, best->scale, parts.size);
         bend = std::clamp(secant, (processes + stiffness) / kShorter, kShorter * (processes + stiffness));
     }
-    best.bend = bend;
-    best.projection = 1.0 / (processes + stiffness);
-    settle_residual(best, slope / bend, parts.size);
+    best->bend = bend;
+    best->projection = 1.0 / (processes + stiffness);
+    settle_residual(*best, slope / bend, parts.size);
+    if (best != &result) result = *best;
 }
 
 }  // namespace railpem::diagnosis

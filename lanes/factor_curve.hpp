@@ -42,18 +42,30 @@ struct FactorCurve {
         if (f >= frequency_hz.back()) return value.back();
         const auto above = std::upper_bound(frequency_hz.begin(), frequency_hz.end(), f);
         const std::size_t i = static_cast<std::size_t>(above - frequency_hz.begin());
-        const double step = place(i) - place(i - 1), t = (std::log(f) - place(i - 1)) / step;
-        const std::complex<double> rise = value[i] - value[i - 1], from = step * slope(i - 1) - rise, to = rise - step * slope(i);
+        const Places places(frequency_hz, i);
+        const double step = places(i) - places(i - 1), t = (std::log(f) - places(i - 1)) / step;
+        const std::complex<double> rise = value[i] - value[i - 1], from = step * slope(places, i - 1) - rise, to = rise - step * slope(places, i);
         return value[i - 1] + t * rise + t * (1.0 - t) * ((1.0 - t) * from + t * to);
     }
 
-    double place(std::size_t node) const { return std::log(frequency_hz[node]); }
+    /// Logarithms of the nodes about the interval that ends at one: each is asked for several times, and they take most of the time.
+    class Places {
+      public:
+        Places(const std::vector<double>& nodes, std::size_t end) : first_(end < 2 ? 0 : std::min(end - 2, nodes.size() < 3 ? 0 : nodes.size() - 3)) {
+            for (std::size_t k = first_; k < std::min(first_ + 4, nodes.size()); ++k) log_[k - first_] = std::log(nodes[k]);
+        }
+        double operator()(std::size_t node) const { return log_[node - first_]; }
+
+      private:
+        std::size_t first_;
+        double log_[4];
+    };
 
     /// Over the logarithm of frequency: that of the parabola through the node and its neighbours, at an end through the first or last three nodes.
-    std::complex<double> slope(std::size_t node) const {
-        if (value.size() < 3) return (value[1] - value[0]) / (place(1) - place(0));
+    std::complex<double> slope(const Places& places, std::size_t node) const {
+        if (value.size() < 3) return (value[1] - value[0]) / (places(1) - places(0));
         const std::size_t middle = std::clamp<std::size_t>(node, 1, value.size() - 2);
-        const double before = place(middle) - place(middle - 1), after = place(middle + 1) - place(middle);
+        const double before = places(middle) - places(middle - 1), after = places(middle + 1) - places(middle);
         const std::complex<double> left = (value[middle] - value[middle - 1]) / before, right = (value[middle + 1] - value[middle]) / after;
         const std::complex<double> bend = (right - left) / (before + after);  // half the second derivative
         return node < middle ? left - before * bend : node > middle ? right + after * bend : left + before * bend;

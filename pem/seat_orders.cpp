@@ -1,5 +1,6 @@
 #include "pem/seat_orders.hpp"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
@@ -54,14 +55,17 @@ SeatOrders seat_orders(const SeatPlaceReceptances& receptances) {
     const double share = 1.0 / static_cast<double>(places);
     result.highest = (static_cast<int>(places) - 1) / 2;
     const auto orders = static_cast<std::size_t>(2 * result.highest + 1);
-    result.at.assign(receptances.at.size(), std::vector<WheelPairs>(orders, WheelPairs{}));
+    Eigen::MatrixXcd turns(places, orders);
     for (std::size_t order = 0; order < orders; ++order)
         for (std::size_t k = 0; k < places; ++k) {
             const double m = static_cast<double>(order) - result.highest;
-            const Phasor turn = std::polar(share, -kTwoPi * m * (receptances.places.first_bay / receptances.places.period_bays + static_cast<double>(k) * share));
-            for (std::size_t line = 0; line < receptances.at.size(); ++line)
-                for (std::size_t pair = 0; pair < 16; ++pair) result.at[line][order][pair] += turn * receptances.at[line][k][pair];
+            turns(static_cast<long>(k), static_cast<long>(order)) = std::polar(share, -kTwoPi * m * (receptances.places.first_bay / receptances.places.period_bays + static_cast<double>(k) * share));
         }
+    result.at.assign(receptances.at.size(), std::vector<WheelPairs>(orders));
+    using Pairs = Eigen::Matrix<Phasor, 16, Eigen::Dynamic>;
+    for (std::size_t line = 0; line < receptances.at.size(); ++line)
+        Eigen::Map<Pairs>(result.at[line].front().data(), 16, static_cast<long>(orders)).noalias() =
+            Eigen::Map<const Pairs>(receptances.at[line].front().data(), 16, static_cast<long>(places)) * turns;
     return result;
 }
 

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <algorithm>
 
 #include "diagnosis/fit.hpp"
 #include "tests/unit/diagnosis/synthesised_fixture.hpp"
@@ -268,6 +269,25 @@ TEST(Expectation, ContinuousInSpeedWhereABandOfTheIrregularityEnds) {
     };
     const Predictions slower = at(1.0 - 1e-9), faster = at(1.0 + 1e-9);
     for (std::size_t i = 0; i < slower[0].values.size(); ++i) EXPECT_NEAR(faster[0].values[i].real() / slower[0].values[i].real(), 1.0, 1e-6);
+}
+
+// What a derivative does not hold is zero: the same sums, to the last bit, as with zeros written out.
+TEST(LikelihoodSlope, ADerivativeMayHoldTheBinsThatItMoves) {
+    Synthesised made = small({"body", "bogie_1", "wheel_2"});
+    made.draw(6);
+    const Point point = point_of(made, made.context(), 0.2);
+    std::vector<PredictionDerivative> whole = differentiate(point.trial, point.unknowns, point.values, point.predictions, made.context()), part = whole;
+    const std::size_t elements = 9, first = 5, last = made.observations[0].bins() - 7;
+    ASSERT_LT(first, last);
+    std::fill_n(whole[0].values.begin(), first * elements, 0.0);
+    std::fill(whole[0].values.begin() + static_cast<long>(last * elements), whole[0].values.end(), 0.0);
+    part[0].first_bin = first;
+    part[0].values.assign(whole[0].values.begin() + static_cast<long>(first * elements), whole[0].values.begin() + static_cast<long>(last * elements));
+    const auto slope = [&](const std::vector<PredictionDerivative>& derivatives) { return likelihood_slope(point.trial, point.unknowns, point.predictions, derivatives, made.context()); };
+    const LikelihoodSlope zeros = slope(whole), held = slope(part);
+    EXPECT_NE(zeros.gradient(whole[0].unknown), 0.0);
+    EXPECT_EQ(held.gradient, zeros.gradient);
+    EXPECT_EQ(held.information, zeros.information);
 }
 
 TEST(LikelihoodSlope, SameBitsForAnyNumberOfThreads) {

@@ -56,6 +56,18 @@ TEST_P(SplitMatrices, InverseFactorAndDeterminantAreThoseOfEigen) {
     EXPECT_EQ(log_determinant(again, size()), own);
 }
 
+// Pivots are multiplied before their logarithm is taken: sixteen of 1e-40 are nothing in a double, and of 1e40 infinite.
+TEST_P(SplitMatrices, DeterminantsMayBeTinyOrHuge) {
+    const Eigen::MatrixXcd model = hermitian();
+    SplitMatrix given = split(model);
+    const double own = log_determinant(given, size());
+    for (const double scale : {1e-120, 1e-40, 1e40, 1e120}) {
+        SplitMatrix scaled = split(scale * model);
+        const double expected = own + static_cast<double>(GetParam()) * std::log(scale);
+        EXPECT_NEAR(log_determinant(scaled, size()), expected, 1e-14 * std::abs(expected) + kRounding) << scale;
+    }
+}
+
 TEST_P(SplitMatrices, SandwichesAreThoseOfEigen) {
     const Eigen::MatrixXcd model = hermitian(), between = hermitian();
     const Eigen::MatrixXcd factor = Eigen::LLT<Eigen::MatrixXcd>(model).matrixL(), inverse_factor = factor.inverse();
