@@ -124,12 +124,14 @@ std::vector<ReadRecording> read_recordings(const DiagnosisRequest& request) {
     return read;
 }
 
-LoadedRecordings loaded_from(const ReadRecording& own, const DiagnosisRequest& request, const CaseFile& file, const diagnosis::BelievedCase& believed) {
+/// What a diagnosis needs of it; the samples are let go.
+LoadedRecordings loaded_from(ReadRecording& own, const DiagnosisRequest& request, const CaseFile& file, const diagnosis::BelievedCase& believed) {
     LoadedRecordings loaded;
     if (own.recording.irregularity.brought()) loaded.irregularity.push_back(own.recording.irregularity);
     const diagnosis::ObservationOptions options{.window_s = request.window_s, .held_out_share = request.held_out};
     if (own.recording.description.kind == recordings::RecordingKind::timeseries) {
         add_series(own.recording, own.description, own.path, file, believed, options, loaded);
+        own.recording = {};
         return loaded;
     }
     // Nothing to inspect: what it lacks is part of what the verdict rests on.
@@ -141,9 +143,9 @@ LoadedRecordings loaded_from(const ReadRecording& own, const DiagnosisRequest& r
 
 /// Read one after the other, for not every library that reads is safe between threads; looked at side by side.
 LoadedRecordings load_recordings(const DiagnosisRequest& request, const CaseFile& file, const diagnosis::BelievedCase& believed) {
-    const std::vector<ReadRecording> read = read_recordings(request);
+    std::vector<ReadRecording> read = read_recordings(request);
     std::vector<LoadedRecordings> parts(read.size());
-    std::vector<std::exception_ptr> failures(read.size());
+    std::vector<std::exception_ptr> failures(read.size());  // of each: the same one is reported whichever comes first
 #pragma omp parallel for schedule(dynamic, 1) num_threads(pem::thread_count(request.threads))
     for (std::size_t i = 0; i < read.size(); ++i) try {
             parts[i] = loaded_from(read[i], request, file, believed);

@@ -1,7 +1,6 @@
 #include "diagnosis/correction_derivatives.hpp"
 
 #include <algorithm>
-#include <exception>
 #include <iterator>
 
 #include "pem/threads.hpp"
@@ -58,19 +57,16 @@ std::vector<PredictionDerivative> correction_derivatives(const Fit& fit, const C
     const std::vector<Unknown> whole = whole_curves(freedom, nodes.size());
     const std::vector<PredictionDerivative> parts = differentiate(fit.trial, whole, means(whole), fit.predictions, context);
     std::vector<PredictionDerivative> result(parts.size() * nodes.size());
-    std::exception_ptr failure;  // without memory, say
+    pem::TeamFailure failure;  // without memory, say
 #pragma omp parallel for schedule(dynamic, 1) num_threads(pem::thread_count(context.threads))
-    for (std::size_t i = 0; i < result.size(); ++i) try {
+    for (std::size_t i = 0; i < result.size(); ++i) failure.guard([&] {
             const PredictionDerivative& part = parts[i / nodes.size()];
             const std::size_t node = i % nodes.size();
             const Observation& observation = observations[static_cast<std::size_t>(part.observation)];
             result[i] = at_node(part, node_weights(place, static_cast<std::size_t>(part.unknown), nodes, node, observation), observation.channels.size() * observation.channels.size());
             result[i].unknown = static_cast<int>(node * whole.size()) + part.unknown;
-        } catch (...) {
-#pragma omp critical(railpem_predict)
-            failure = std::current_exception();
-        }
-    if (failure) std::rethrow_exception(failure);
+        });
+    failure.rethrow();
     return result;
 }
 

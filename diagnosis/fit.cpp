@@ -205,7 +205,7 @@ class Fitting {
         result.gradient = normal.gradient;
         result.iterations = iterations_;
         result.converged = end == End::top;
-        if (slopes_.carried == 0) keep_derivatives(result);
+        if (end != End::hopeless && slopes_.carried == 0) keep_derivatives(result);
         result.trial = std::move(state_.trial);
         result.values = std::move(state_.values);
         result.predictions = std::move(state_.predictions);

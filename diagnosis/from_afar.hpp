@@ -16,7 +16,7 @@ std::vector<std::vector<Candidate>> variants_from_afar(const std::vector<Candida
 /// Without any of them the case is fitted first, from `near` (nothing: from the believed numbers, and members where their instances stand). Starts are typical values, either ends of the ranges, and the
 /// frequencies of the variants, typical and strong; each is approached by the derivatives of the case without it, and the best two climbed: with the numbers as believed a mass of 24 kg/m tuned to 49 Hz ranked behind
 /// others at 79 to 127 Hz, and was lost. What cannot come near the best so far is given up. None where physics forbids the members as they stand.
-/// `between` is called between steps with what is being fitted, and may throw to stop. Where `enough` says so, all but the four most promising are left out. So is what cannot come near the `rival`, a fit of the blunt
+/// `between` is called between steps with what is being fitted, and may throw to stop. Where `enough` says so, all but the four most promising are left out, and always those of the others whose best start lies below the case without them. So is what cannot come near the `rival`, a fit of the blunt
 /// likelihood, if there is one.
 std::vector<FittedSet> blunt_from_afar(const BelievedCase& believed, const Fit& near, const std::vector<Candidate>& members, const std::vector<std::vector<Candidate>>& variants,
                                        const LikelihoodContext& context, const std::function<void(const Candidate&)>& between,

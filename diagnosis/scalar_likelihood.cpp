@@ -1,5 +1,6 @@
 #include "diagnosis/scalar_likelihood.hpp"
 
+#include <cassert>
 #include <cmath>
 
 namespace railpem::diagnosis {
@@ -89,7 +90,10 @@ void add_scalar_slope(const Trial& trial, const std::vector<Unknown>& unknowns, 
         if (!(*context.observations)[o].scalar) continue;
         std::vector<const PredictionDerivative*> own;
         for (const PredictionDerivative& derivative : derivatives)
-            if (derivative.observation == static_cast<int>(o) && !derivative.values.empty()) own.push_back(&derivative);
+            if (derivative.observation == static_cast<int>(o) && !derivative.values.empty()) {
+                assert(derivative.first_bin == 0);
+                own.push_back(&derivative);
+            }
         add_observation(trial, unknowns, o, predictions[o], own, context, slope);
     }
 }

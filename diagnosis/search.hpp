@@ -52,7 +52,7 @@ class Search {
     Halved look_sharper(const FittedSet& blunt, const Halved& first, const Fit& retuned);
     Halved half_sharp(const FittedSet& blunt) const;
     void sharpen(const FittedSet& half);
-    bool leaves(const Halved& own, double share, double of) const;
+    bool leaves(const Halved& own, double share, double of) const;  ///< misses more than chance, and than that share of something
     bool is_in_vain(const Halved& own, const Halved& first) const;  ///< its further member explains hardly anything of what the first leaves
 
     /// Sharpens the best set of the blunt search, larger than what it saw `first`, or better; `seen`: what was half sharpened of it. Hopeless where that leaves most of what retuning misses (nothing is sharpened then), or nearly

@@ -26,10 +26,10 @@ struct WhitenedBin {
     double log_likelihood = 0.0; ///< per average, relative to the saturated model, −s²/(2vn) included; −∞ where S is not definite
 };
 
-/// Whitens into `bin_seen`, which may be used again for the next bin: some kilobytes that need not be moved. `known`: r, and where the search for s begins, from another trial; none: the trial's own.
+/// Whitens into `result`, which may be used again for the next bin: some kilobytes that need not be moved. `known`: r, and where the search for s begins, from another trial; none: the trial's own.
 void whiten(const Trial& trial, const Observation& observation, std::size_t index, const ExpectedSpectra& prediction,
             const MeasuredSpectra& data, std::size_t bin, double least_floor, const BinPower* known,
-            WhitenedBin& bin_seen);
+            WhitenedBin& result);
 
 /// Square of the floor's relative amplitude, of `least` added, by floor_group() of a response.
 std::array<double, kFloorGroups> floors_at(const Trial& trial, double frequency_hz, double least);
