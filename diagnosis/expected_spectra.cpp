@@ -149,11 +149,6 @@ void add_modulation(const pem::CaseParameters& parameters, double speed, bool of
     own.of_irregularity = with_what_comes_back(own.transfers, own.felt.front());
 }
 
-/// No free correction bends at a node, and nothing resonates on the rail or below it: every second line of the rolling rail's table tells how a similar case differs.
-bool is_smooth(const track::TrackParameters& track) {
-    return track.rail.correction.empty() && track.pads.correction.empty() && track.support.correction.empty() && track.rail_dampers.empty() && track.support.bending_modes.empty();
-}
-
 bool has_forces(const pem::CaseParameters& parameters) { return has_friction(parameters) || has_own_forces(parameters); }
 
 /// What does not depend on the excitation, or is costly. Forces of the suspension's own are added to `expected` at once.
@@ -164,7 +159,7 @@ ExpectationCache prepared(const pem::CaseParameters& parameters, double speed, c
     ExpectationCache own;
     pem::CoupledModel model = same_rail && known->rail ? pem::coupled_model(parameters, known->rail) : pem::coupled_model(parameters, speed);
     own.rail = model.rail;
-    pem::RollingTable rolling = same_rail ? known->modulation.rolling : pem::rolling_table(model, speed, pem::modulation_end_hz(parameters, speed), known && (!options.sharp || is_smooth(parameters.track)) ? &known->modulation.rolling : nullptr);
+    pem::RollingTable rolling = same_rail ? known->modulation.rolling : pem::rolling_table(model, speed, pem::modulation_end_hz(parameters, speed), known && !options.sharp ? &known->modulation.rolling : nullptr);
     std::vector<pem::Source> sources;
     if (pem::is_nonlinear(parameters)) {
         sources = pem::excitation_sources(parameters, wheels, speed);

@@ -56,7 +56,7 @@ struct ExpectationOptions {
     double transfer_step_hz = 0.25; ///< grid of the single-wheel transfers: what an axle box leaves unsaid by the others is 1e-5 of its power
     int rail_every = 8;             ///< the rail is smoother still: solved at one line of that grid in so many
     int oversampling = 4;           ///< fine lines per bin; at least 2·(1 + longest wheel delay/segment)
-    bool sharp = true;              ///< else, for who forgives a tenth: no modulation by equal seats (29 to 40 dB below the rest), also derivatives of free corrections and of what resonates on the rail from every second line of the rolling rail's table
+    bool sharp = true;              ///< else, for who forgives a tenth: no modulation by equal seats (29 to 40 dB below the rest), derivatives from every second line of the rolling rail's table
     int threads = 0;
     double friction_power = 1.0;    ///< of the forces that friction has beside its equivalent damping, over that of a constant force
     std::shared_ptr<const StageFriction> realised_friction;  ///< what it does where velocities are not Gaussian; none: as if they were
