@@ -22,7 +22,8 @@ constexpr double kLongestNumberStep = 0.5;  ///< of a number's logarithm: where 
 constexpr int kSettleIterations = 3;      ///< of noise and floor alone, after every step
 constexpr double kWorthSettling = 2.0;    ///< nats promised by a step, after which noise and floor are settled
 constexpr double kWorthFinishing = 0.1;   ///< of the gain at which a climb ends: what an undamped step has to promise to be made
-constexpr double kCreeping = 2.0;         ///< times the gain at which a sharp climb ends: what a step by slopes of its own has to bring for another one
+constexpr double kHope = 3.0;             ///< times its promise, a fit may still climb
+constexpr double kPace = 12.0;            ///< or times what its last step brought: a ridge is climbed in many equal steps
 constexpr double kSurprise = 1.5;         ///< times what a step promised
 constexpr double kKept = 0.7;             ///< of what a step by carried derivatives promised, that it has to bring for them to be carried on; and the other way round
 constexpr double kLongestShare = 3.0;     ///< of a step, to which its direction is followed: with 5 most places that far along were worse than the step itself
@@ -164,7 +165,6 @@ class Climb {
         hold();
         for (int taken = 0; taken < options_.most || slopes_.trusted;) {
             if (options_.between) options_.between();
-            if (creeps_ && !options_.sharp) return End::top;  // without slopes for another step
             if (!slopes_.trusted) {
                 if (taken > 0) hold();
                 take(unknowns_, held_, state_, slopes_);
@@ -184,13 +184,14 @@ class Climb {
 
     /// One step up, as short as it has to be; none: slopes that were carried here are not to be trusted. How the climb ends, if it does.
     std::optional<End> step(const Normal& normal) {
-        const double entered = damping_;  // a higher one only shortens the step: its promise says nothing of where it leads
         for (; damping_ < kMostDamping; damping_ = std::max(10.0 * damping_, kFirstDamping)) {
             const Eigen::VectorXd move = damped_step(normal, state_, unknowns_, damping_);
             const double promise = promise_of(normal, move);
-            if ((taken_any() || damping_ == entered) && is_hopeless(promise)) return End::hopeless;
+            // Only where the last step brought no more than it promised: a climb that surprises has not said yet how high it goes.
+            const double room = options_.sharp ? kHopeless : kHopelessBlunt;
+            if (gained_ < kSurprise * promised_ && state_.log_posterior + std::max(kHope * promise, kPace * gained_) + room < options_.rival) return End::hopeless;
             // Little is promised, or the last step brought next to nothing of it.
-            if (promise < options_.least_gain || (promise < kWorthSettling && gained_ < options_.least_gain) || creeps_) {
+            if (promise < options_.least_gain || (promise < kWorthSettling && gained_ < options_.least_gain)) {
                 if (slopes_.carried == 0 || !options_.sharp) return End::top;
                 slopes_.trusted = false;  // a top is seen with slopes of its own
                 return {};
@@ -206,17 +207,6 @@ class Climb {
         }
         damping_ = kFirstDamping;
         return End::tired;
-    }
-
-    bool taken_any() const { return std::isfinite(gained_); }
-
-    /// Whether a step that promises so much leads nowhere near the rival. Not asked where the last step brought more than it promised: a climb that surprises has not said yet how high it goes. Nor of the first one, but
-    /// by slopes of its own where the top counts (sleeper passing beside friction promised 81 nats where 1600 were asked, and took two more steps), or where there is no pace to judge it by.
-    bool is_hopeless(double promise) const {
-        const bool first = !taken_any();
-        if (first ? options_.pace > 0.0 && !(options_.sharp && slopes_.carried == 0) : gained_ >= kSurprise * promised_) return false;
-        const double room = options_.sharp ? kHopeless : kHopelessBlunt, pace = first ? 0.0 : options_.pace * gained_;
-        return state_.log_posterior + std::max(options_.hope * promise, pace) + room < options_.rival;
     }
 
     /// The best of what a parabola through here, its slope and `next` says of the step's direction: where the model misses much, the curvature of all steps is off by as much.
@@ -242,10 +232,9 @@ class Climb {
     void accept(State next, double promise, double gain) {
         gained_ = next.log_posterior - state_.log_posterior;
         promised_ = promise;
-        creeps_ = slopes_.carried == 0 && (options_.sharp ? gained_ < kCreeping * options_.least_gain : damping_ <= kFirstDamping && gained_ < options_.least_gain);
         damping_ = std::max(damping_ / 10.0, kLeastDamping);
         carry(slopes_.values, state_.predictions.spectra, next.predictions.spectra, context_);
-        slopes_.trusted = gain > kKept * promise && kKept * gain < promise && ++slopes_.carried < kMostCarried && !(creeps_ && options_.sharp);
+        slopes_.trusted = gain > kKept * promise && kKept * gain < promise && ++slopes_.carried < kMostCarried;
         state_ = std::move(next);
         if (promise > kWorthSettling) settle(unknowns_, held_, state_);
     }
@@ -261,7 +250,6 @@ class Climb {
     Slopes& slopes_;
     int& iterations_;
     double gained_ = std::numeric_limits<double>::infinity(), promised_ = 0.0;  ///< by the last step
-    bool creeps_ = false;  ///< by slopes of its own the last step brought so little that those of another one are not worth what they cost; where the likelihood is blunt only if nothing shortened it
 };
 
 }  // namespace

@@ -55,12 +55,10 @@ struct Slopes {
 enum class End { top, tired, hopeless };
 
 struct ClimbOptions {
-    double least_gain = 0.1;       ///< nats: it ends when a step promises less, or one by slopes of its own has brought about as little
+    double least_gain = 0.1;       ///< nats: it ends when a step promises less
     int most = 20;                 ///< times that derivatives are taken
     double rival = -1e300;         ///< log-posterior of the best rival
     bool sharp = true;             ///< the top counts: it is seen with derivatives of its own, and what is left behind a rival is less
-    double hope = 3.0;             ///< times what its next step promises, a climb may still rise,
-    double pace = 12.0;            ///< or times what its last step brought: a ridge is climbed in many equal steps. 0: the first step is held against the rival, too, as it is where the top counts and slopes are its own
     std::function<void()> between; ///< called between steps; may throw to stop
 };
 

@@ -14,7 +14,6 @@ namespace {
 
 constexpr int kHeldIterations = 8;        ///< with the lines held: what a climb from afar gains by holding them longer is lost when it lets them go
 constexpr double kBluntGain = 3.0;        ///< nats that a step has to promise where the likelihood is blunt: that top is not the one that counts
-constexpr double kApproachHope = 2.0;     ///< times what a step of an approach promises, it may still rise: few follow (wheels that bend, 33 000 nats behind, promised 10 000 to 23 000 and came a third of the way)
 constexpr double kStagePatience = 1e-3;   ///< and of the nats that are left unexplained there: both effects of the paper, retuned without them, took ten steps of 50 nats of 113 000 with the lines held
 
 /// The unknowns of a blunt stage. Lines at which sleepers pass stay as they are: as long as a speed is off by the width of one, the nearest top has
@@ -241,7 +240,7 @@ Approach approach(const Trial& base, const std::vector<Unknown>& unknowns, std::
     double damping = kFirstDamping;
     int iterations = 0;
     Normal unused;
-    climb(base, unknowns, context, {.least_gain = kBluntGain, .most = 0, .rival = rival, .sharp = false, .hope = kApproachHope, .pace = 0.0}, damping, state, slopes, iterations, unused);
+    climb(base, unknowns, context, {.least_gain = kBluntGain, .most = 0, .rival = rival, .sharp = false}, damping, state, slopes, iterations, unused);
     return {state.log_posterior, std::move(state.values)};
 }
 

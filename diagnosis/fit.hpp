@@ -18,7 +18,7 @@ inline constexpr double kRetuningPatience = 1e-3;
 /// A fit's way and end.
 struct FitOptions {
     int iterations = 20;           ///< at the last stage: times that derivatives are taken
-    double least_gain = 0.1;       ///< nats: the fit ends when a step promises less, or has brought about as little
+    double least_gain = 0.1;       ///< nats: the fit ends when a step promises less
     double patience = 1e-4;        ///< of the nats that a case leaves unexplained, which a step has to promise: what gains less lacks physics, and creeps along ridges
     bool from_far = true;          ///< begin with a blunt likelihood (large floor) that is sharpened in stages
     std::vector<double> stages = {0.1, 0.02, 0.004};  ///< floors of the blunt likelihoods, when it begins with them
