@@ -124,7 +124,7 @@ class Diagnosing {
         study_.by_recording = constancy(best.fit, context_);
         if (names_friction(best)) study_.friction = friction_law(best.fit, context_);
         if (best.score() > naming_.retuned.score() + gain_asked(best, options_.thresholds)) study_.at_named = evidence(left_by_best());
-        best.fit.derivatives = kept;  // two hundred megabytes that a free correction needs
+        best.fit.derivatives = kept;  // a megabyte for every unknown and recording, which a free correction needs
     }
 
     /// Beside the best set a place's free correction is not nearly worth its freedom: in its place it does not outdo it either, for beside it that would explain no less. Where it shows a curve, at the places of the

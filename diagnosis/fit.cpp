@@ -61,6 +61,14 @@ void choose_width(const Trial& base, const std::vector<Unknown>& unknowns, const
     }
 }
 
+std::shared_ptr<const Derivatives> kept(const std::vector<Unknown>& unknowns, std::vector<PredictionDerivative> values, const std::vector<ExpectedSpectra>& at) {
+    auto own = std::make_shared<Derivatives>();
+    for (const Unknown& unknown : unknowns) own->names.push_back(unknown.name);
+    own->values = std::move(values);
+    own->at = at;
+    return own;
+}
+
 /// What the rival reaches where the likelihood is blunt. Its noise and floor are those of the sharp likelihood: seen too low rather than too high.
 double blunt_posterior(const Fit& rival, const LikelihoodContext& stage) {
     return log_likelihood(rival.trial, rival.predictions, stage) + log_belief(rival.unknowns, rival.values);
@@ -93,11 +101,7 @@ void restore_caches(Fit& fit, const LikelihoodContext& context) {
 
 void restore_derivatives(Fit& fit, const LikelihoodContext& context) {
     if (fit.derivatives || fit.predictions.spectra.empty()) return;
-    auto own = std::make_shared<Derivatives>();
-    for (const Unknown& unknown : fit.unknowns) own->names.push_back(unknown.name);
-    own->values = derivatives_of(fit, context);
-    own->at = fit.predictions.spectra;
-    fit.derivatives = std::move(own);
+    fit.derivatives = kept(fit.unknowns, derivatives_of(fit, context), fit.predictions.spectra);
 }
 
 std::vector<double> means(const std::vector<Unknown>& unknowns) {
@@ -204,20 +208,12 @@ class Fitting {
         result.gradient = normal.gradient;
         result.iterations = iterations_;
         result.converged = end == End::top;
-        if (end != End::hopeless && slopes_.carried == 0) keep_derivatives(result);
+        if (end != End::hopeless && slopes_.carried == 0) result.derivatives = kept(unknowns_, std::move(slopes_.values), state_.predictions.spectra);
         result.trial = std::move(state_.trial);
         result.values = std::move(state_.values);
         result.predictions = std::move(state_.predictions);
         result.unknowns = std::move(unknowns_);
         return result;
-    }
-
-    void keep_derivatives(Fit& result) {
-        auto own = std::make_shared<Derivatives>();
-        for (const Unknown& unknown : unknowns_) own->names.push_back(unknown.name);
-        own->values = std::move(slopes_.values);
-        own->at = state_.predictions.spectra;
-        result.derivatives = std::move(own);
     }
 
     const Trial& base_;

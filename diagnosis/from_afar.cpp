@@ -172,6 +172,7 @@ std::vector<FittedSet> blunt_from_afar(const BelievedCase& believed, const Fit& 
     const double least = rival ? log_likelihood(rival->trial, rival->predictions, sparse) + log_belief(rival->unknowns, rival->values) : -std::numeric_limits<double>::infinity();
     std::vector<std::vector<Start>> starts;
     for (const std::vector<Candidate>& own : variants) starts.push_back(approached(believed, without, members, own, sparse, least, between));
+    // The case without any, where starts are compared.
     const double nothing = log_likelihood(without.trial, without.predictions, sparse) + log_belief(without.unknowns, without.values);
     const auto height = [](const std::vector<Start>& own) { return own.front().near.log_posterior; };
     std::stable_sort(starts.begin(), starts.end(), [&](const auto& a, const auto& b) { return height(a) > height(b); });

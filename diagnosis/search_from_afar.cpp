@@ -40,7 +40,7 @@ void Search::blunt_search() {
     const double single = search.trials_.leading().score();
     Halved first, seen;
     if (single > found.retuned.score() + options_.least_gain) {
-        first = look_sharper(search.trials_.leading(), first, found.retuned.fit);
+        first = look_sharper(search.trials_.leading(), {}, found.retuned.fit);
         if (trials_.names() && leaves_little()) return grow_leading();
     }
     if (search.misses()) search.rescue_round();  // before anything is added to what stands in for it

@@ -36,7 +36,7 @@ inline void add(std::size_t first, double a, double b, const double* x_re, const
 template <std::size_t Rows>
 double factorise(SplitMatrix& model, std::size_t given, double* reciprocal) {
     const std::size_t size = std::min(given, Rows);  // never less: for the compiler to know
-    double log_determinant = 0.0, product = 1.0;  // of pivots: their logarithms take a tenth of the time
+    double log_determinant = 0.0, product = 1.0;  // of pivots: one logarithm serves all of them
     for (std::size_t k = 0; k < size; ++k) {
         const double pivot = model.re[k][k];
         if (!(pivot > 0.0) || !std::isfinite(pivot)) return std::numeric_limits<double>::quiet_NaN();

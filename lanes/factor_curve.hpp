@@ -48,7 +48,7 @@ struct FactorCurve {
         return value[i - 1] + t * rise + t * (1.0 - t) * ((1.0 - t) * from + t * to);
     }
 
-    /// Logarithms of the nodes about the interval that ends at one: each is asked for several times, and they take most of the time.
+    /// Logarithms of the nodes about the interval that ends at one: each is asked for up to six times.
     class Places {
       public:
         Places(const std::vector<double>& nodes, std::size_t end) : first_(end < 2 ? 0 : std::min(end - 2, nodes.size() < 3 ? 0 : nodes.size() - 3)) {
