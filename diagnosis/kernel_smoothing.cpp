@@ -8,7 +8,7 @@ namespace railpem::diagnosis {
 
 namespace {
 
-constexpr std::size_t kLanes = 16;  ///< bins side by side
+constexpr std::size_t kLanes = 4 * lanes::width;  ///< bins side by side
 
 /// One part of a response in `oversampling` interleaved sequences, so that neighbouring bins read neighbouring numbers. Zeros
 /// stand before and behind where the kernel reaches beyond the fine lines.
@@ -52,7 +52,6 @@ lanes::Real load(const double* from) {
 void sum_taps(const recordings::KernelWeights& kernel, const Polyphase& order, const double* values, std::size_t bin, double* sum) {
     lanes::Real a{}, b{}, c{}, d{};  // in registers; an array would not stay there
     constexpr std::ptrdiff_t width = lanes::width;
-    static_assert(4 * width == kLanes);
     for (std::size_t t = 0; t < kernel.weights.size(); ++t) {
         const double* x = values + order.taps()[t] + bin;
         a += kernel.weights[t] * load(x);

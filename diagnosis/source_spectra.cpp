@@ -32,27 +32,30 @@ void add_outer_product(const std::vector<Complex>& y, Complex* power) {
 
 bool differ(double a, double b, double ratio) { return std::max(a, b) > ratio * std::min(a, b); }
 
+/// Two complex numbers.
+using Pair = double __attribute__((vector_size(4 * sizeof(double))));
+
 /// Σ t_j·e_j over four wheels, in two registers each: as complex numbers one after the other it waited for its own stores.
 class Dot {
   public:
     explicit Dot(const Complex* e) {
         for (int half = 0; half < 2; ++half) {
             const Complex a = e[2 * half], b = e[2 * half + 1];
-            real_[half] = lanes::Real{a.real(), -a.imag(), b.real(), -b.imag()};
-            imaginary_[half] = lanes::Real{a.imag(), a.real(), b.imag(), b.real()};
+            real_[half] = Pair{a.real(), -a.imag(), b.real(), -b.imag()};
+            imaginary_[half] = Pair{a.imag(), a.real(), b.imag(), b.real()};
         }
     }
 
     Complex operator()(const Complex* t) const {
-        lanes::Real front, rear;
+        Pair front, rear;
         std::memcpy(&front, t, sizeof front);
         std::memcpy(&rear, t + 2, sizeof rear);
-        const lanes::Real re = front * real_[0] + rear * real_[1], im = front * imaginary_[0] + rear * imaginary_[1];
+        const Pair re = front * real_[0] + rear * real_[1], im = front * imaginary_[0] + rear * imaginary_[1];
         return {(re[0] + re[1]) + (re[2] + re[3]), (im[0] + im[1]) + (im[2] + im[3])};
     }
 
   private:
-    lanes::Real real_[2], imaginary_[2];
+    Pair real_[2], imaginary_[2];
 };
 
 }  // namespace
