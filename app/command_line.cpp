@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/input_error.hpp"
+#include "app/memory_shortage.hpp"
 #include "app/nearest_key.hpp"
 #include "app/program_version.hpp"
 #include "app/schema.hpp"
@@ -115,7 +116,7 @@ int run_program(int argc, const char* const* argv) {
     } catch (const InputError& error) {
         return say(error.what(), kRefused);
     } catch (const std::bad_alloc&) {
-        std::fputs("railpem: not enough memory\n", stderr);  // without asking for more of it
+        say_memory_shortage();
         return kFailed;
     } catch (const std::exception& error) {
         return say(fmt::format("railpem: {}", error.what()), kFailed);

@@ -1,4 +1,5 @@
 #include "lanes/factor_curve.hpp"
+#include "tests/unit/lanes/in_turn.hpp"
 
 #include <gtest/gtest.h>
 
@@ -36,7 +37,7 @@ TEST(FactorCurve, ARealMotionHasConjugatesAtNegativeFrequencies) {
 }
 
 TEST(FactorCurve, EveryLaneHasItsOwnFrequency) {
-    const Real omega{-20.0, 5.0, 100.0, 1000.0};
+    const Real omega = tests::in_turn({-20.0, 5.0, 100.0, 1000.0});
     const Complex factor = two_nodes().at(omega);
     for (int lane = 0; lane < width; ++lane) EXPECT_EQ(factor[lane], two_nodes().at(omega[lane])) << lane;
 }

@@ -8,13 +8,14 @@
 #include "pem/contact.hpp"
 #include "pem/coupled_model.hpp"
 #include "pem/sensor_chain.hpp"
+#include "tests/unit/lanes/in_turn.hpp"
 #include "tests/verification/pem/paper_case.hpp"
 
 namespace railpem::pem {
 namespace {
 
 using Complex = std::complex<double>;
-const lanes::Real omega{6.0, 60.0, 360.0, 1200.0};
+const lanes::Real omega = lanes::tests::in_turn({6.0, 60.0, 360.0, 1200.0});
 
 lanes::FactorCurve constant(Complex value) { return {.frequency_hz = {30.0}, .value = {value}}; }
 

@@ -7,6 +7,7 @@
 #include <functional>
 #include <numbers>
 
+#include "tests/unit/lanes/in_turn.hpp"
 #include "tests/unit/track/wei2016_track.hpp"
 #include "track/rolling_receptance.hpp"
 #include "track/exact_rail.hpp"
@@ -40,7 +41,7 @@ TrackParameters timoshenko_track() {
 std::vector<Complex> exact(const TrackParameters& track) {
     const ExactRail rail = uniform_rail(track, {0.0, 2.4, 2.75}, kPad);
     ExactRailWorkspace work(rail);
-    const lanes::Real omega{8.0, 90.0, 600.0, 5000.0};
+    const lanes::Real omega = lanes::tests::in_turn({8.0, 90.0, 600.0, 5000.0});
     const RailReceptance& found = rail_receptance(rail, omega, work);
     std::vector<Complex> values;
     for (const auto* list : {&found.between, &found.trackbed})
@@ -148,7 +149,7 @@ TEST(SeatCorrection, VariesWithFrequencyAlikeInBothSolutions) {
     TrackParameters track = two_layer_track();
     track.pads.correction = {.frequency_hz = {10.0, 200.0}, .value = {{1.2, 0.1}, {0.7, 0.4}}};
     track.support.correction = {.frequency_hz = {20.0, 100.0}, .value = {{0.9, 0.2}, {1.3, 0.1}}};
-    const lanes::Real omega{30.0, 200.0, 500.0, 3000.0};
+    const lanes::Real omega = lanes::tests::in_turn({30.0, 200.0, 500.0, 3000.0});
     const lanes::Complex lanewise = SupportLaw(track.pads, track.support, omega).stiffness(kPad, 0.8);
     for (int lane = 0; lane < lanes::width; ++lane) {
         const Complex single = seat_stiffness(track, kPad, 0.8, omega[lane] / (2.0 * std::numbers::pi));

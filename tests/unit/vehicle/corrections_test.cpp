@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 
+#include "tests/unit/lanes/in_turn.hpp"
 #include "vehicle/half_vehicle.hpp"
 
 namespace railpem::vehicle {
@@ -49,7 +50,7 @@ TEST_P(VehicleCorrection, EqualsTheScaledParameter) {
     GetParam().reference(scaled);
     const HalfVehicle plain_car = half_vehicle(car()), corrected_car = half_vehicle(corrected), scaled_car = half_vehicle(scaled);
     Workspace plain_work(plain_car), corrected_work(corrected_car), scaled_work(scaled_car);
-    const lanes::Real omega{4.0, 30.0, 170.0, 900.0};
+    const lanes::Real omega = lanes::tests::in_turn({4.0, 30.0, 170.0, 900.0});
     const WheelReceptance plain = wheel_receptance(plain_car, omega, plain_work);
     const WheelReceptance found = wheel_receptance(corrected_car, omega, corrected_work);
     const WheelReceptance expected = wheel_receptance(scaled_car, omega, scaled_work);
@@ -86,7 +87,7 @@ INSTANTIATE_TEST_SUITE_P(
 double difference(const VehicleParameters& first, const VehicleParameters& second, bool mirrored) {
     const HalfVehicle one = half_vehicle(first), other = half_vehicle(second);
     Workspace one_work(one), other_work(other);
-    const lanes::Real omega{4.0, 30.0, 170.0, 900.0};
+    const lanes::Real omega = lanes::tests::in_turn({4.0, 30.0, 170.0, 900.0});
     const WheelReceptance a = wheel_receptance(one, omega, one_work), b = wheel_receptance(other, omega, other_work);
     double largest = 0.0, size = 0.0;
     for (int i = 0; i < 4; ++i)
@@ -151,7 +152,7 @@ TEST(Attachment, BetweenTheBogiesHoldsThemTogether) {
     held.between_bogies.centre = {.frequency_hz = {30.0}, .value = {1e9}};
     const HalfVehicle model = half_vehicle(held);
     Workspace work(model);
-    const WheelReceptance found = wheel_receptance(model, lanes::Real{4.0, 30.0, 170.0, 900.0}, work);
+    const WheelReceptance found = wheel_receptance(model, lanes::tests::in_turn({4.0, 30.0, 170.0, 900.0}), work);
     for (std::size_t wheel = 0; wheel < 4; ++wheel)
         for (int lane = 0; lane < lanes::width; ++lane) {
             const std::complex<double> first = found.at[static_cast<int>(Place::bogie_1)][wheel][lane], second = found.at[static_cast<int>(Place::bogie_2)][wheel][lane];
@@ -166,7 +167,7 @@ TEST(Attachment, AtTheFrontHoldsTheFront) {
     held.body_attachments.front = {.frequency_hz = {30.0}, .value = {1e9}};
     const HalfVehicle model = half_vehicle(held);
     Workspace work(model);
-    const WheelReceptance found = wheel_receptance(model, lanes::Real{4.0, 30.0, 170.0, 900.0}, work);
+    const WheelReceptance found = wheel_receptance(model, lanes::tests::in_turn({4.0, 30.0, 170.0, 900.0}), work);
     const auto &front = found.at[static_cast<int>(Place::body_front)], &rear = found.at[static_cast<int>(Place::body_rear)];
     for (int lane = 0; lane < lanes::width; ++lane) EXPECT_LT(std::abs(front[3][lane]), 0.1 * std::abs(rear[3][lane]));
 }
@@ -178,7 +179,7 @@ TEST(Attachment, BetweenTheBogiesActsTowardsTheMiddleOfTheCar) {
     EXPECT_LE(difference(outer, outer, true), 1e-9);
     const HalfVehicle held_outside = half_vehicle(outer), held_inside = half_vehicle(inner);
     Workspace outside_work(held_outside), inside_work(held_inside);
-    const lanes::Real omega{4.0, 30.0, 170.0, 900.0};
+    const lanes::Real omega = lanes::tests::in_turn({4.0, 30.0, 170.0, 900.0});
     const WheelReceptance outside = wheel_receptance(held_outside, omega, outside_work), inside = wheel_receptance(held_inside, omega, inside_work);
     const auto transmitted = [](const WheelReceptance& own, std::size_t wheel) { return std::abs(own.at[static_cast<int>(Place::bogie_2)][wheel][3]); };  // at 900 rad/s the bogies are free
     EXPECT_GT(transmitted(outside, 0), 3.0 * transmitted(outside, 1));
@@ -187,7 +188,7 @@ TEST(Attachment, BetweenTheBogiesActsTowardsTheMiddleOfTheCar) {
 
 TEST(SuspensionCorrection, ActsOnFrictionTooAndAtItsOwnFrequency) {
     SuspensionParameters law{.stiffness_n_per_m = 2.1e6, .damping_n_s_per_m = 4.9e4};
-    const lanes::Real omega{4.0, 30.0, 170.0, 900.0};
+    const lanes::Real omega = lanes::tests::in_turn({4.0, 30.0, 170.0, 900.0});
     const lanes::Complex plain = suspension_stiffness(law, 1e4, omega);
     law.correction = {.frequency_hz = {1.0, 100.0}, .value = {{1.0, 0.1}, {1.5, -0.2}}};
     const lanes::Complex found = suspension_stiffness(law, 1e4, omega);
