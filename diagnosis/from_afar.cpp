@@ -46,6 +46,7 @@ EffectInstance strong(const Effect& effect, EffectInstance instance) {
 std::vector<EffectInstance> corners(const Effect& effect, const EffectInstance& typical) {
     std::vector<EffectInstance> corners{typical};
     for (const EffectParameter& parameter : effect.parameters) {
+        if (parameter.law) continue;
         std::vector<EffectInstance> doubled;
         for (const EffectInstance& own : corners)
             for (const double share : {kNearEnd, 1.0 - kNearEnd}) {
@@ -75,7 +76,7 @@ std::vector<Candidate> starts_of(const std::vector<Candidate>& variants) {
         return instance;
     };
     for (const EffectParameter& parameter : effect.parameters) {
-        if (parameter.name == kTuned) continue;
+        if (parameter.name == kTuned || parameter.law) continue;
         for (const double share : {kNearEnd, 1.0 - kNearEnd}) start_at(with(parameter.name, within_range(parameter, share)));
     }
     if (is_tuned(effect)) {

@@ -11,7 +11,7 @@ bool is_approximate(const FittedSet& set);
 /// Share of the nats that a set explains which its own law may leave: what other effects or free corrections promise beside it and does
 /// not exceed this is no sign that something else is missing. 0.5 % for laws that the frequency domain has exactly (distance between
 /// record and solution, README.md), 3 % where the law of a member is an approximation (Effect::approximate): 1 kN of friction left 1.5 %, rail dampers with
-/// dashpots in place of rubber 1.9 and 2.01 %.
+/// dashpots in place of rubber 1.9 to 3.2 % before their loss could grow with the frequency.
 double share_left(const FittedSet& set);
 
 /// That share in nats, `retuned_score` being the score of nothing added; at least `least`.

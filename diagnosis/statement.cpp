@@ -94,4 +94,12 @@ std::string statement_of(const Diagnosis& diagnosis) {
     return {};
 }
 
+std::string values_in_words(const EffectInstance& instance) {
+    std::vector<std::string> values;
+    for (const EffectParameter& parameter : find_effect(instance.effect)->parameters)
+        if (const auto own = instance.values.find(parameter.name); own != instance.values.end()) values.push_back(fmt::format("{} {:.3g}", parameter.name, own->second));
+    for (const auto& [name, value] : instance.choices) values.push_back(fmt::format("{} {}", name, value));
+    return fmt::format("{}", fmt::join(values, ", "));
+}
+
 }  // namespace railpem::diagnosis

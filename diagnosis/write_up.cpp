@@ -231,10 +231,7 @@ class WritingUp {
         const auto best = std::max_element(study_.anonymous.begin(), study_.anonymous.end(), lower);
         if (best == study_.anonymous.end() || !best->beyond || decision_.verdict != Verdict::unexplained) return;
         const EffectInstance& instance = best->fit.trial.effects.back();
-        std::string values;
-        for (const EffectParameter& parameter : find_effect(instance.effect)->parameters)
-            values += fmt::format("{}{} {:.3g}", values.empty() ? "" : ", ", parameter.name, instance.values.at(parameter.name));
-        result_.remains.push_back(fmt::format("something at the {} acts like {} with {}, which that physics cannot have", element_name(best->anonymous.front().element), instance.effect, values));
+        result_.remains.push_back(fmt::format("something at the {} acts like {} with {}, which that physics cannot have", element_name(best->anonymous.front().element), instance.effect, values_in_words(instance)));
     }
 
     void report_recordings() {

@@ -89,6 +89,7 @@ void set_laws(TrackWindow& window, const track::TrackParameters& track, const Op
     window.stiffness = element_stiffness(window.section, window.element_m);
     // Stiffness-proportional damping: the rail's loss factor holds at 100 Hz, and grows in proportion to the frequency.
     window.rail_loss_s = track.rail.loss_factor / (2.0 * pi * 100.0);
+    // Of rubber a dashpot with its loss factor at its own frequency, whatever the exponent.
     for (const track::RailDamper& damper : track.rail_dampers) {
         const double mass = damper.mass_kg_per_m * window.element_m;
         const double omega = 2.0 * pi * damper.frequency_hz;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lanes/elementary_lanes.hpp"
+
 namespace railpem::track {
 
 using lanes::Complex;
@@ -11,6 +13,7 @@ using lanes::Real;
 
 namespace {
 
+constexpr double kSlowest_rad_per_s = 1e-6;  ///< below it losses that follow the frequency are none
 constexpr double kSeriesReach = 2.0;  ///< largest |λℓ| summed directly
 constexpr int kSeriesTerms = 14;      ///< (2·kSeriesReach)^28/28! < 1e-12 of the leading term even where p and q both count
 
@@ -100,7 +103,9 @@ BeamCoefficients beam_coefficients(const RailParameters& rail, const std::vector
     }
     for (const RailDamper& damper : dampers) {
         const double natural = 2.0 * M_PI * damper.frequency_hz;
-        const Complex spring(std::complex<double>(natural * natural, natural * natural * damper.loss_factor));
+        const Real slowest = lanes::broadcast(kSlowest_rad_per_s), positive = omega > slowest ? omega : slowest;
+        const Real own_loss = lanes::power(positive * (1.0 / natural), damper.loss_exponent) * damper.loss_factor;
+        const Complex spring(lanes::broadcast(natural * natural), natural * natural * own_loss);
         beam.inertia += spring * lanes::reciprocal(spring + (-omega2)) * (damper.mass_kg_per_m * omega2);
     }
     if (!rail.correction.empty()) beam.inertia = beam.inertia * rail.correction.at(omega);

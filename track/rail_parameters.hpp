@@ -24,11 +24,13 @@ struct RailParameters {
 };
 
 /// A continuous line of tuned masses on the rail. Per metre of rail the dampers add the dynamic mass
-/// m_d·ω_d²(1 + iη)/(ω_d²(1 + iη) − ω²) (Thompson, Jones, Waters & Farrington 2007, Applied Acoustics 68).
+/// m_d·ω_d²(1 + iη)/(ω_d²(1 + iη) − ω²) (Thompson, Jones, Waters & Farrington 2007, Applied Acoustics 68), with the loss factor
+/// η = loss_factor·(ω/ω_d)^loss_exponent: rubber has nearly the same at all frequencies, a dashpot one in proportion to the frequency.
 struct RailDamper {
     double mass_kg_per_m = 10.0;
     double frequency_hz = 500.0;
-    double loss_factor = 0.35;
+    double loss_factor = 0.35;   ///< at its own frequency
+    double loss_exponent = 0.0;  ///< 0: rubber, 1: dashpot
 };
 
 parameters::Fields<RailParameters> rail_fields();

@@ -25,7 +25,8 @@ Fields<RailDamper> rail_damper_fields() {
     return {
         number(&D::mass_kg_per_m, "mass_kg_per_m", "kg/m", positive(), "damper mass per metre of rail").required(),
         number(&D::frequency_hz, "frequency_hz", "Hz", positive(), "frequency of the damper on a fixed rail").required(),
-        number(&D::loss_factor, "loss_factor", "1", between(0.0, 5.0), "loss factor of the damper's elastomer").required(),
+        number(&D::loss_factor, "loss_factor", "1", between(0.0, 5.0), "loss factor of the damper's elastomer at that frequency").required(),
+        number(&D::loss_exponent, "loss_exponent", "1", between(0.0, 1.0), "exponent p with which the loss factor grows, (f/frequency_hz)^p: 0 for rubber, 1 for a dashpot"),
     };
 }
 

@@ -26,6 +26,7 @@ struct EffectParameter {
     bool strength = false;  ///< the effect vanishes as all parameters so marked go to `nothing`
     double nothing = 0.0;   ///< may be infinite, or lie outside of the range
     bool amplitude = false; ///< the effect is a source of its own whose power grows with (value − nothing)²: no derivative at nothing shows it
+    bool law = false;       ///< bends the law of an effect that is there: sought from its typical value alone
     bool comb = false;      ///< a distance with lines at all multiples of v/distance: its divisors and multiples have many of them too
     double inexact = 0.0;   ///< relative standard deviation by which fitted values miss those of marched records beyond what the data leave open: what the law itself gets wrong
     double least = 0.0;     ///< distance from `nothing` below which nobody would speak of the effect: models are off by as much

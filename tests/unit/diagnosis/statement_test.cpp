@@ -24,6 +24,12 @@ TEST(Statement, ANumberIsNothingThatWasLeftOut) {
     EXPECT_TRUE(statement_of(diagnosis).starts_with("What the case left out: the rail shears"));
 }
 
+// Every n-th fastener has no share of seats: a dead band of the pads that acted like ten of them beyond their range ended the program.
+TEST(Statement, ValuesAreThoseThatAreStated) {
+    EXPECT_EQ(values_in_words({.effect = "failed-fasteners", .values = {{"remaining_stiffness_fraction", -0.21}}, .choices = {{"every", "10"}}}), "remaining_stiffness_fraction -0.21, every 10");
+    EXPECT_EQ(values_in_words({.effect = "contact-nonlinearity", .values = {{"factor", 6.5}}, .choices = {}}), "factor 6.5");
+}
+
 TEST(Statement, AmbiguousNamesBothAndWhatWouldDecide) {
     Diagnosis diagnosis;
     diagnosis.verdict = Verdict::ambiguous;

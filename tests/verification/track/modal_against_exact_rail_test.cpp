@@ -46,7 +46,7 @@ TEST(ModalAgainstExactRail, PadsOfTheStaticEquilibrium) {
     TrackParameters everything = wei2016_track();
     everything.rail.loss_factor = 0.02;
     everything.support = {SupportModel::two_layer, 150.0, 60e6, 60e3, 0.1, {{120.0, 0.05, 80.0}}};
-    everything.rail_dampers = {{10.0, 180.0, 0.35}, {5.0, 400.0, 0.2}};
+    everything.rail_dampers = {{10.0, 180.0, 0.35, 0.4}, {5.0, 400.0, 0.2, 1.0}};
     everything.failed_fasteners = {{.every = 1000, .remaining_stiffness_fraction = 0.1}};  // seat 0 only
     // The modes above N = 484 add to a displacement v·φ_n times the share of each, v = 1 at the wheel and −K·R at the
     // pads, whose sum is about −1: |v·φ_n|² ≤ 4·2/(mL), eight times what goes into (L/N)³/(3π⁴EI); see track/README.md.
