@@ -5,6 +5,8 @@
 #include <exception>
 #include <new>
 
+#include "app/output_folder.hpp"
+
 namespace railpem::app {
 
 void say_memory_shortage() { std::fputs("railpem: not enough memory\n", stderr); }
@@ -16,6 +18,7 @@ void end_on_memory_shortage() {
             if (std::current_exception()) throw;
         } catch (const std::bad_alloc&) {
             say_memory_shortage();
+            remove_unfinished_output();
             std::_Exit(EXIT_FAILURE);
         } catch (...) {  // for the one who was asked before
         }

@@ -25,6 +25,8 @@ namespace {
     throw OutputError(fmt::format("cannot write {}: {}{}", file.string(), reason, consequence));
 }
 
+thread_local OutputFolder* innermost = nullptr;  ///< for remove_unfinished_output()
+
 constexpr const char* kFolderOption = "--out";  ///< others name a file, whose folder may be the current one
 constexpr const char* kNothingKept = "\nnothing of this run was kept";
 
@@ -58,8 +60,9 @@ int flush_file(const fs::path& file) {
 }  // namespace
 
 OutputFolder::OutputFolder(const fs::path& folder, const std::string& option)
-    : folder_(folder.empty() ? fs::path(".") : folder), option_(option) {
+    : outer_(innermost), folder_(folder.empty() ? fs::path(".") : folder), option_(option) {
     if (folder.empty() && option_ == kFolderOption) throw InputError(fmt::format("{}: no folder is named\nallowed: a folder that can be written, or a new one; . is the current one", option_));
+    innermost = this;
     try {
         make_folders();
         const fs::path probe = folder_ / fmt::format(".railpem-{}.partial", ::getpid());
@@ -69,12 +72,14 @@ OutputFolder::OutputFolder(const fs::path& folder, const std::string& option)
         fs::remove(probe, ignored);
     } catch (...) {  // for want of memory, too: a folder that is not made yet has no destructor
         remove_folders();
+        innermost = outer_;
         throw;
     }
 }
 
 OutputFolder::~OutputFolder() {
     remove_all();
+    innermost = outer_;
 }
 
 void OutputFolder::make_folders() {
@@ -135,6 +140,10 @@ void OutputFolder::remove_all() noexcept {
     std::error_code ignored;
     for (const File& file : files_) fs::remove(file.temporary, ignored);
     remove_folders();
+}
+
+void remove_unfinished_output() noexcept {
+    for (OutputFolder* own = innermost; own; own = own->outer_) own->remove_all();
 }
 
 }  // namespace railpem::app

@@ -46,11 +46,16 @@ class OutputFolder {
     void make_folders();
     void remove_folders() noexcept;
     void remove_all() noexcept;
+    friend void remove_unfinished_output() noexcept;
 
+    OutputFolder* outer_;  ///< the one that this thread had before
     std::filesystem::path folder_;
     std::string option_;
     std::vector<std::filesystem::path> made_;  ///< folders made here, outermost first
     std::vector<File> files_;
 };
+
+/// What the folders of this thread would remove in their destructors, for a program that ends without any. Asks for no memory.
+void remove_unfinished_output() noexcept;
 
 }  // namespace railpem::app

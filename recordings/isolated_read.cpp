@@ -13,6 +13,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstring>
+#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <optional>
@@ -87,6 +88,7 @@ std::size_t address_space(const std::string& file, const ReadLimits& limits) {
     setrlimit(RLIMIT_AS, &memory);
 #endif
     for (const int signal : {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL}) std::signal(signal, SIG_DFL);
+    std::set_terminate([] { _exit(2); });  // what the parent would do then, its folders among it, is not for the child
     const int silent = open("/dev/null", O_WRONLY);
     if (silent >= 0) {  // what the libraries print about a damaged file is not for the user
         dup2(silent, STDOUT_FILENO);

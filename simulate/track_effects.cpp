@@ -94,10 +94,10 @@ void add_rail_and_support_effects(std::vector<HiddenEffect>& list) {
                     .place = "rail",
                     .parameters = {number_parameter("mass_kg_per_m", "kg/m", 2, 40, 15, "per metre of rail"),
                                    number_parameter("frequency_hz", "Hz", 30, 2000, 120, "on a fixed rail"),
-                                   number_parameter("loss_factor", "1", 0.05, 1.0, 0.35, "of its elastomer")},
+                                   number_parameter("loss_factor", "1", 0.05, 1.0, 0.35, "of its dashpot, at its own frequency")},
                     .apply = [](Values v, HiddenTarget t) {
                         t.parameters.track.rail_dampers.push_back(
-                            {v.numbers.at("mass_kg_per_m"), v.numbers.at("frequency_hz"), v.numbers.at("loss_factor")});
+                            {v.numbers.at("mass_kg_per_m"), v.numbers.at("frequency_hz"), v.numbers.at("loss_factor"), 1.0});  // what is marched
                     }});
 }
 

@@ -44,7 +44,7 @@ TEST(RefusedEffects, UnknownParameter) {
                            "case.toml:3:1: unknown key 'mass_kg' in [effect]\n"
                            "  3 | mass_kg = 10.0\n"
                            "    | ^^^^^^^\n"
-                           "allowed: id, mass_kg_per_m, frequency_hz, loss_factor\n"
+                           "allowed: id, mass_kg_per_m, frequency_hz, loss_factor, loss_exponent\n"
                            "did you mean 'mass_kg_per_m', in kg/m?");
 }
 

@@ -1,5 +1,6 @@
 // The simulator hides the same physics that the library names: it keeps a list of its own, because it may not know the
-// diagnosis. Every effect of the library exists there with the same parameters, and makes the same case.
+// diagnosis. Every effect of the library exists there with the same parameters, and makes the same case; laws that only differ
+// by frequency are those that it marches, the ends of their range (rail dampers have dashpots).
 
 #include <gtest/gtest.h>
 
@@ -19,7 +20,7 @@ std::string hide_option(const Effect& effect, const EffectInstance& instance) {
     for (const auto& [name, value] : instance.choices)
         text += fmt::format("{}{}={}", text == effect.id ? ':' : ',', name, value);
     for (const EffectParameter& parameter : effect.parameters)
-        text += fmt::format("{}{}={}", text == effect.id ? ':' : ',', parameter.name, parameter.typical);
+        if (!parameter.law) text += fmt::format("{}{}={}", text == effect.id ? ':' : ',', parameter.name, parameter.typical);
     return text;
 }
 
@@ -27,7 +28,9 @@ TEST(SameAsSimulator, EveryEffectMakesTheSameCase) {
     for (const Effect& effect : effects()) {
         pem::CaseParameters believed = believed_case(effect.id);
         believed.track.rail.cross_section_m2 = 7.0e-3;  // stated: the simulator does not derive it from the mass
-        const EffectInstance instance = typical_instance(effect);
+        EffectInstance instance = typical_instance(effect);
+        for (const EffectParameter& parameter : effect.parameters)
+            if (parameter.law) instance.values[parameter.name] = parameter.high;
         const ParameterAccess access = app::parameter_access(believed);
         pem::CaseParameters named = believed, hidden = believed;
         apply(instance, access, named);
