@@ -10,6 +10,7 @@ namespace {
 struct LinearCase {
     std::string name;
     void (*change)(pem::CaseParameters&);
+    double largest_db = 0.1;  ///< no band may be off by what a wrong element would do; the step's own damping gives 0.02 dB at the top
 };
 
 std::ostream& operator<<(std::ostream& out, const LinearCase& c) {
@@ -25,8 +26,7 @@ TEST_P(Standing, EveryChannelFollowsTheTransferFunctions) {
         // 0.05 dB: the project's bound for two independent solutions of one linear model; 0.002 dB was reached
         // everywhere but with the contact patch.
         EXPECT_LT(d.median_db, 0.05) << d.channel;
-        // No band may be off by what a wrong element would do; the step's own damping gives 0.02 dB at the top.
-        EXPECT_LT(d.largest_db, 0.1) << d.channel;
+        EXPECT_LT(d.largest_db, GetParam().largest_db) << d.channel;
         RecordProperty(d.channel + "_median_db", std::to_string(d.median_db));
         if (std::getenv("RAILPEM_PRINT") != nullptr)
             std::printf("%-28s %-10s median %.4f largest %.4f dB\n", GetParam().name.c_str(), d.channel.c_str(),
@@ -81,8 +81,8 @@ const std::vector<LinearCase> cases{
      }},
     {"RailDamper",
      [](Case& c) { c.track.rail_dampers = {{.mass_kg_per_m = 15, .frequency_hz = 500, .loss_factor = 0.35}}; }},
-    {"RailDamperWithDashpots",  // within the band, where rubber would not do: dashpots are marched
-     [](Case& c) { c.track.rail_dampers = {{.mass_kg_per_m = 15, .frequency_hz = 120, .loss_factor = 0.35, .loss_exponent = 1}}; }},
+    {"RailDamperWithDashpots",  // within the band, where rubber would not do (0.07 to 0.08 dB): dashpots are marched
+     [](Case& c) { c.track.rail_dampers = {{.mass_kg_per_m = 15, .frequency_hz = 120, .loss_factor = 0.35, .loss_exponent = 1}}; }, 0.02},
     {"BodyBending", [](Case& c) { c.vehicle.body_bending = {{}}; }},
     {"BodyBendingWithPayload",
      [](Case& c) {
