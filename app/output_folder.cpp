@@ -72,14 +72,19 @@ OutputFolder::OutputFolder(const fs::path& folder, const std::string& option)
         fs::remove(probe, ignored);
     } catch (...) {  // for want of memory, too: a folder that is not made yet has no destructor
         remove_folders();
-        innermost = outer_;
+        leave();
         throw;
     }
 }
 
 OutputFolder::~OutputFolder() {
     remove_all();
-    innermost = outer_;
+    leave();
+}
+
+void OutputFolder::leave() noexcept {
+    for (OutputFolder** own = &innermost; *own; own = &(*own)->outer_)  // in whatever order they end
+        if (*own == this) return static_cast<void>(*own = outer_);
 }
 
 void OutputFolder::make_folders() {

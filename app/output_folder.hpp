@@ -46,6 +46,7 @@ class OutputFolder {
     void make_folders();
     void remove_folders() noexcept;
     void remove_all() noexcept;
+    void leave() noexcept;  ///< the list of remove_unfinished_output()
     friend void remove_unfinished_output() noexcept;
 
     OutputFolder* outer_;  ///< the one that this thread had before
