@@ -81,12 +81,17 @@ Json mismatch_json(const diagnosis::Mismatch& mismatch) {
 }
 
 Json fit_json(const Diagnosis& diagnosis) {
-    return {{"before", figures_json(diagnosis.before)},
-            {"retuned", figures_json(diagnosis.retuned)},
-            {"after", figures_json(diagnosis.after)},
-            {"held_out_before", figures_json(diagnosis.held_out_before)},
-            {"held_out_retuned", figures_json(diagnosis.held_out_retuned)},
-            {"held_out_after", figures_json(diagnosis.held_out_after)}};
+    Json json = {{"before", figures_json(diagnosis.before)},
+                 {"retuned", figures_json(diagnosis.retuned)},
+                 {"after", figures_json(diagnosis.after)},
+                 {"held_out_before", figures_json(diagnosis.held_out_before)},
+                 {"held_out_retuned", figures_json(diagnosis.held_out_retuned)},
+                 {"held_out_after", figures_json(diagnosis.held_out_after)}};
+    if (diagnosis.freely_retuned) {
+        json["freely_retuned"] = figures_json(diagnosis.freely_retuned->fitted);
+        json["held_out_freely_retuned"] = figures_json(diagnosis.freely_retuned->held_out);
+    }
+    return json;
 }
 
 Json recording_json(const diagnosis::UsedRecording& used) {

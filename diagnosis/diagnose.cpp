@@ -14,6 +14,7 @@
 #include "diagnosis/robust_covariance.hpp"
 #include "diagnosis/verdict.hpp"
 #include "diagnosis/wheel_unloading.hpp"
+#include "diagnosis/within_tolerances.hpp"
 #include "diagnosis/write_up.hpp"
 
 namespace railpem::diagnosis {
@@ -52,11 +53,12 @@ class Diagnosing {
         study_places();
         try_beside();
         tell_ground_from_pads(study_);  // only now: beside a name it is fitted at the pads
+        keep_beliefs();
         const Decision decision = decide(naming_, study_, options_.thresholds);
         say("refitting on everything", 0.92);
         refit(decision);
         write_up({.believed = believed_, .observations = observations_, .context = context_, .thresholds = options_.thresholds, .naming = naming_, .study = study_, .decision = decision,
-                  .retuned = retuned_, .named = named_}, result_);
+                  .retuned = retuned_, .kept = kept_ ? &*kept_ : nullptr, .named = named_}, result_);
         result_.remains.insert(result_.remains.end(), left_out_.begin(), left_out_.end());
         result_.seconds_taken = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
         return std::move(result_);
@@ -185,6 +187,13 @@ class Diagnosing {
                                       unknown.score() + options_.thresholds.least_gain;
     }
 
+    /// The rival of what only gives up a belief. It begins where retuning ended, far from where it may end.
+    void keep_beliefs() {
+        if (naming_.interrupted || !only_gives_up_beliefs(naming_, options_.thresholds)) return;
+        say("the case with its beliefs kept", 0.915);
+        study_.within_tolerances = fit_within_tolerances(believed_, naming_.retuned.fit, context_, {.patience = kRetuningPatience});
+    }
+
     /// The retuned case and the named one, refitted on all of the recordings.
     void refit(const Decision& decision) {
         LikelihoodContext all = context_;
@@ -192,6 +201,7 @@ class Diagnosing {
         FitOptions retuning = near_;
         retuning.patience = kRetuningPatience;
         retuned_ = fit_set(believed_, naming_.retuned.fit, {}, {}, {}, all, retuning);
+        if (decision.verdict == Verdict::explained && study_.within_tolerances) kept_ = fit_within_tolerances(believed_, study_.within_tolerances->fit, all, retuning);
         named_ = decision.named ? fit_set(believed_, decision.named->fit, decision.named->effects, decision.named->released, {}, all, near_) : retuned_;
         named_.fit.covariance = robust_covariance(named_.fit, all);
     }
@@ -207,6 +217,7 @@ class Diagnosing {
     NamingResult naming_;
     PlaceStudy study_;
     FittedSet retuned_, named_;
+    std::optional<FittedSet> kept_;
     Diagnosis result_;
 };
 

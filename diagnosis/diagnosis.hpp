@@ -2,6 +2,7 @@
 // The result of a diagnosis, as data: what diagnosis.json, the tables and the report are written from.
 
 #include <complex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -134,6 +135,13 @@ struct Margins {
     double place = 0.0;     ///< most that a free correction promises beside the retuned case
 };
 
+/// Retuning that may leave its beliefs for what they cost, where the verdict is held against a case that keeps them.
+struct FreelyRetuned {
+    FitFigures fitted, held_out;
+    double hidden = 0.0;  ///< share of the likelihood deficit that it removes
+    std::vector<RetunedNumber> numbers;
+};
+
 struct Diagnosis {
     Verdict verdict = Verdict::unexplained;
     bool interrupted = false;  ///< ended early: what is known so far
@@ -146,6 +154,8 @@ struct Diagnosis {
     FitFigures before, retuned, after;
     FitFigures held_out_before, held_out_retuned, held_out_after;
     double hidden_by_retuning = 0.0;
+    /// Where what is named only gives up beliefs. Everything else that is retuned keeps all of them within two tolerances then.
+    std::optional<FreelyRetuned> freely_retuned;
     bool per_value = false;  ///< no time series: figures are per value, not per second
     std::vector<RetunedNumber> numbers;    ///< of the diagnosed case (of the retuned when nothing is named)
     std::vector<RetunedNumber> retuned_numbers;  ///< with nothing added: what calibration would have hidden

@@ -10,15 +10,15 @@ namespace railpem::diagnosis {
 namespace {
 
 /// A stage with friction.
-struct Stage {
+struct FrictionStage {
     vehicle::Law law;
     double force_n;
     std::vector<double> damping;  ///< equivalent, of every element
 };
 
-std::vector<Stage> stages_of(const pem::CaseParameters& parameters, const pem::CoupledModel& model) {
+std::vector<FrictionStage> stages_of(const pem::CaseParameters& parameters, const pem::CoupledModel& model) {
     const double primary = parameters.vehicle.primary.friction_force_n, secondary = parameters.vehicle.secondary.friction_force_n;
-    std::vector<Stage> stages;
+    std::vector<FrictionStage> stages;
     if (primary > 0.0) stages.push_back({vehicle::Law::primary, primary, {model.car.friction.primary.begin(), model.car.friction.primary.end()}});
     if (secondary > 0.0) stages.push_back({vehicle::Law::secondary, secondary, {model.car.friction.secondary.begin(), model.car.friction.secondary.end()}});
     return stages;
@@ -26,7 +26,7 @@ std::vector<Stage> stages_of(const pem::CaseParameters& parameters, const pem::C
 
 const pem::RealisedFriction& of_stage(const StageFriction& both, vehicle::Law law) { return law == vehicle::Law::primary ? both.primary : both.secondary; }
 
-void add_stage(const pem::CaseParameters& parameters, const SolvedLines& solved, const LevelLines& level, const Stage& stage, const std::vector<ObservedChannel>& channels, double bin_hz,
+void add_stage(const pem::CaseParameters& parameters, const SolvedLines& solved, const LevelLines& level, const FrictionStage& stage, const std::vector<ObservedChannel>& channels, double bin_hz,
                ExpectedSpectra& expected) {
     const pem::VelocitySpectra velocity = pem::velocity_spectra(parameters, level.sources, solved.model, stage.law, level.rails);
     std::vector<std::complex<double>> power = pem::friction_distortion(velocity, stage.force_n);
@@ -45,12 +45,12 @@ bool has_friction(const pem::CaseParameters& parameters) {
 
 void add_friction(const pem::CaseParameters& parameters, const SolvedLines& solved, const LevelLines& level, const std::vector<ObservedChannel>& channels, double bin_hz,
                   ExpectedSpectra& expected) {
-    for (const Stage& stage : stages_of(parameters, solved.model)) add_stage(parameters, solved, level, stage, channels, bin_hz, expected);
+    for (const FrictionStage& stage : stages_of(parameters, solved.model)) add_stage(parameters, solved, level, stage, channels, bin_hz, expected);
 }
 
 StageFriction realised_friction(const pem::CaseParameters& parameters, const pem::CoupledModel& model, const LevelLines& level) {
     StageFriction both;
-    for (const Stage& stage : stages_of(parameters, model)) {
+    for (const FrictionStage& stage : stages_of(parameters, model)) {
         const pem::VelocitySpectra velocity = pem::velocity_spectra(parameters, level.sources, model, stage.law, level.rails);
         const pem::ElementTransfers transfers = pem::element_transfers(model, stage.law, velocity.from_hz, velocity.step_hz, velocity.lines, level.rails);
         (stage.law == vehicle::Law::primary ? both.primary : both.secondary) = pem::realised_friction(velocity, transfers, stage.damping, stage.force_n);
@@ -59,7 +59,7 @@ StageFriction realised_friction(const pem::CaseParameters& parameters, const pem
 }
 
 void follow_damping(const pem::CaseParameters& parameters, const SolvedLines& solved, const StageFriction& realised, const std::vector<ObservedChannel>& channels, pem::WheelTransfers& transfers) {
-    for (const Stage& stage : stages_of(parameters, solved.model)) {
+    for (const FrictionStage& stage : stages_of(parameters, solved.model)) {
         const pem::InnerTransfers inner = pem::inner_transfers(solved.model, stage.law, solved.from_hz, solved.step_hz, solved.lines, transfers.responses, solved.rails);
         const pem::ElementTransfers elements = pem::element_transfers(solved.model, stage.law, solved.from_hz, solved.step_hz, solved.lines, solved.rails);
         const long n = static_cast<long>(elements.elements), size = static_cast<long>(channels.size());

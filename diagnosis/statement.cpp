@@ -68,17 +68,18 @@ std::string how_far(const std::vector<RetunedNumber>& numbers) {
 
 std::string statement_of(const Diagnosis& diagnosis) {
     const std::string gain =
-        fmt::format("With it the recordings are more probable than after retuning alone by {:.3g} nats per {}, and what no fit has seen by {:.3g}.",
-                    diagnosis.after.log_likelihood_per_second - diagnosis.retuned.log_likelihood_per_second,
+        fmt::format("With it the recordings are more probable than after retuning {} by {:.3g} nats per {}, and what no fit has seen by {:.3g}.{}",
+                    diagnosis.freely_retuned ? "within two tolerances of what is believed" : "alone", diagnosis.after.log_likelihood_per_second - diagnosis.retuned.log_likelihood_per_second,
                     diagnosis.per_value ? "value" : "second of record",
-                    diagnosis.held_out_after.log_likelihood_per_second - diagnosis.held_out_retuned.log_likelihood_per_second);
+                    diagnosis.held_out_after.log_likelihood_per_second - diagnosis.held_out_retuned.log_likelihood_per_second,
+                    diagnosis.freely_retuned ? " Retuning that may leave its beliefs goes there, too: the belief was wrong." : "");
     switch (diagnosis.verdict) {
         case Verdict::consistent:
             return fmt::format("Nothing significant is missing: with its own numbers retuned {} the case explains the recordings "
                                "(third octaves within {:.2f} dB rms). No effect of the catalogue and no free correction improves on it beyond chance.",
                                how_far(diagnosis.retuned_numbers), diagnosis.retuned.rms_db);
         case Verdict::explained:
-            if (names_only_numbers(diagnosis)) return fmt::format("{}. Retuning only goes there against the belief. {}", beginning(named_in_words(diagnosis)), gain);
+            if (names_only_numbers(diagnosis)) return fmt::format("{}. {}", beginning(named_in_words(diagnosis)), gain);
             return fmt::format("What the case left out: {}. {}", named_in_words(diagnosis), gain);
         case Verdict::recording_fault: return fmt::format("The recording is at fault, not the physics: {}. {}", named_in_words(diagnosis), gain);
         case Verdict::ambiguous: {

@@ -13,6 +13,7 @@ struct PlaceStudy {
     std::vector<PlaceEvidence> at_retuned;  ///< ranked; what each would explain of what retuning leaves
     std::vector<PlaceEvidence> at_named;    ///< the same beside the named set: what is still missing
     std::vector<FittedSet> anonymous;       ///< fully fitted free corrections of the best places
+    std::optional<FittedSet> within_tolerances;  ///< where the best set only gives up beliefs and gains: the case that keeps them, fit_within_tolerances()
     bool named_stands = true;               ///< where the unknown outdoes the best set: whether that explains something beside it
     std::vector<ParameterByRecording> by_recording;  ///< of the best set
     std::optional<FrictionLaw> friction;    ///< of the best set, where it names friction
@@ -42,6 +43,9 @@ bool drop_superfluous(NamingResult& naming, const VerdictThresholds& thresholds)
 
 /// Nats of log-evidence with prior by which a set has to be more probable than the retuned case to be named. Where it adds no physics, retuning only had to stay too near a belief: VerdictThresholds::belief_gain.
 double gain_asked(const FittedSet& set, const VerdictThresholds& thresholds);
+
+/// Whether the best set of a search gains what it is asked and only gives up beliefs. What no fit has seen then has to be more probable than to the case that keeps them.
+bool only_gives_up_beliefs(const NamingResult& naming, const VerdictThresholds& thresholds);
 
 /// A member is smaller than anybody would speak of, or lies on the weak end of its range: it makes up for what a law beside it is off by.
 bool is_trifling(const FittedSet& set);

@@ -1,6 +1,5 @@
 #include "diagnosis/write_up.hpp"
 
-#include <Eigen/Cholesky>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,12 +8,12 @@
 
 #include "diagnosis/compare_channels.hpp"
 #include "diagnosis/decay_rate_reference.hpp"
+#include "diagnosis/fit_figures.hpp"
 #include "diagnosis/friction_levels.hpp"
 #include "diagnosis/inferred_curve.hpp"
 #include "diagnosis/interval.hpp"
 #include "diagnosis/posterior.hpp"
 #include "diagnosis/rivals.hpp"
-#include "diagnosis/scalar_likelihood.hpp"
 #include "diagnosis/shows.hpp"
 #include "diagnosis/statement.hpp"
 #include "diagnosis/wheel_unloading.hpp"
@@ -27,7 +26,8 @@ class WritingUp {
   public:
     WritingUp(const Findings& found, Diagnosis& result)
         : found_(found), believed_(found.believed), observations_(found.observations), context_(found.context), thresholds_(found.thresholds), naming_(found.naming),
-          study_(found.study), decision_(found.decision), retuned_(found.retuned), named_(found.named), result_(result) {}
+          study_(found.study), decision_(found.decision), rival_(found.kept ? *found.study.within_tolerances : found.naming.retuned), retuned_(found.kept ? *found.kept : found.retuned),
+          named_(found.named), result_(result) {}
 
     void run() {
         const Decision& decision = decision_;
@@ -44,7 +44,7 @@ class WritingUp {
         for (const NotTested& not_tested : naming_.not_tested) result_.not_tested.push_back(not_tested.effect + ": " + not_tested.why);
         report_recordings();
         report_basis();
-        const Fit& diagnosed = names ? named_.fit : retuned_.fit;
+        const Fit& diagnosed = names ? named_.fit : found_.retuned.fit;
         result_.diagnosed_numbers = diagnosed.trial.numbers;
         result_.diagnosed_numbers.decay_rate_reference = decay_rate_reference(diagnosed.trial, diagnosed.predictions, observations_);
         result_.diagnosed_effects = diagnosed.trial.effects;
@@ -60,11 +60,11 @@ class WritingUp {
         if (!study_.at_retuned.empty()) result_.margins.place = study_.at_retuned.front().nats;
     }
 
-    double seconds(Part part) const {
-        double sum = 0.0;
-        for (const Observation& observation : observations_) sum += measured(observation, part).seconds;
-        // Without any time series the figures are per value.
-        return sum > 0.0 ? sum : std::max(1.0, static_cast<double>(scalar_count(observations_, part)));
+    /// Share of what the believed case misses.
+    double hidden_by(const FitFigures& retuned) const {
+        const double deficit = result_.after.log_likelihood_per_second - result_.before.log_likelihood_per_second;
+        const double removed = retuned.log_likelihood_per_second - result_.before.log_likelihood_per_second;
+        return deficit > 0.0 ? std::clamp(removed / deficit, 0.0, 1.0) : 1.0;
     }
 
     void report_figures(const Decision& decision) {
@@ -75,50 +75,26 @@ class WritingUp {
         believed.log_gain = naming_.retuned.fit.trial.log_gain;
         const Predictions before = predict(believed, context_);
         const FittedSet& after = decision.named ? *decision.named : naming_.retuned;
-        LikelihoodContext held = context_;
-        held.part = Part::held_out;
-        const double fitted_s = seconds(Part::fitted), held_s = seconds(Part::held_out);
-        const auto figures = [&](const Trial& trial, const Predictions& predictions, Stage stage, Part part, double duration, double reference) {
-            LikelihoodContext own = context_;
-            own.part = part;
-            const Stages stages{&believed, &before, &naming_.retuned.fit.trial, &naming_.retuned.fit.predictions, &after.fit.trial, &after.fit.predictions};
-            return FitFigures{rms_db(compare_channels(stages, observations_, part), stage),
-                              (log_likelihood(trial, predictions, own) - reference) / duration};
-        };
-        // A held-out part with fewer averages than channels has no saturated model: the reference is the diagnosed one's own entropy.
-        const double reference = log_likelihood(after.fit.trial, after.fit.predictions, held) + excess(after, held) -
-                                 scalar_log_likelihood(after.fit.trial, after.fit.predictions, held);
-        const Fit &retuned = naming_.retuned.fit, &last = after.fit;
-        result_.before = figures(believed, before, Stage::believed, Part::fitted, fitted_s, 0.0);
-        result_.retuned = figures(retuned.trial, retuned.predictions, Stage::retuned, Part::fitted, fitted_s, 0.0);
-        result_.after = figures(last.trial, last.predictions, Stage::diagnosed, Part::fitted, fitted_s, 0.0);
-        result_.held_out_before = figures(believed, before, Stage::believed, Part::held_out, held_s, reference);
-        result_.held_out_retuned = figures(retuned.trial, retuned.predictions, Stage::retuned, Part::held_out, held_s, reference);
-        result_.held_out_after = figures(last.trial, last.predictions, Stage::diagnosed, Part::held_out, held_s, reference);
-        const double deficit = result_.after.log_likelihood_per_second - result_.before.log_likelihood_per_second;
-        const double removed = result_.retuned.log_likelihood_per_second - result_.before.log_likelihood_per_second;
-        result_.hidden_by_retuning = deficit > 0.0 ? std::clamp(removed / deficit, 0.0, 1.0) : 1.0;
+        const FigureScale scale(after.fit, context_);
+        result_.before = scale.of(believed, before, Part::fitted);
+        result_.retuned = scale.of(rival_.fit, Part::fitted);
+        result_.after = scale.of(after.fit, Part::fitted);
+        result_.held_out_before = scale.of(believed, before, Part::held_out);
+        result_.held_out_retuned = scale.of(rival_.fit, Part::held_out);
+        result_.held_out_after = scale.of(after.fit, Part::held_out);
+        result_.hidden_by_retuning = hidden_by(result_.retuned);
+        if (found_.kept) {
+            FreelyRetuned& freely = result_.freely_retuned.emplace();
+            freely.fitted = scale.of(naming_.retuned.fit, Part::fitted);
+            freely.held_out = scale.of(naming_.retuned.fit, Part::held_out);
+            freely.hidden = hidden_by(freely.fitted);
+            freely.numbers = numbers_of(found_.retuned.fit);
+        }
         const Stages stages{&believed, &before, &retuned_.fit.trial, &retuned_.fit.predictions, &named_.fit.trial, &named_.fit.predictions};
         result_.channels = compare_channels(stages, observations_, Part::all);
         result_.mismatch = mismatches(retuned_.fit.trial, retuned_.fit.predictions, observations_, Part::all);
         for (Mismatch& mismatch : result_.mismatch)
             mismatch.element = result_.places.empty() ? Element::body : result_.places.front().element;
-    }
-
-    /// Σ n [tr(S⁻¹Ŝ) − p]: what is above its expectation under the set itself.
-    double excess(const FittedSet& set, const LikelihoodContext& context) const {
-        double sum = 0.0;
-        for (std::size_t o = 0; o < observations_.size(); ++o) {
-            const Observation& observation = observations_[o];
-            const MeasuredSpectra& data = measured(observation, context.part);
-            const std::size_t size = observation.channels.size();
-            for (std::size_t bin = 0; bin < observation.bins(); ++bin) {
-                const Eigen::MatrixXcd model = complete_prediction(set.fit.trial, observation, o, set.fit.predictions[o], bin);
-                const Eigen::Map<const Eigen::MatrixXcd> estimate(&data.values[bin * size * size], static_cast<long>(size), static_cast<long>(size));
-                sum += data.averages * (model.llt().solve(estimate).trace().real() - static_cast<double>(size));
-            }
-        }
-        return sum;
     }
 
     void report_omitted(const Decision& decision) {
@@ -164,15 +140,15 @@ class WritingUp {
         named.source = find_effect("parameter-error")->source;
         named.parameters.push_back({"factor", std::exp(x), std::exp(x - reach), std::exp(x + reach), "1"});
         named.probability = probability_with(naming_, decision, [&](const FittedSet& set) { return std::find(set.released.begin(), set.released.end(), key) != set.released.end(); });
-        named.nats_fitted = decision.named->fit.log_likelihood - naming_.retuned.fit.log_likelihood;
-        named.nats_held_out = decision.named->held_out - naming_.retuned.held_out;
+        named.nats_fitted = decision.named->fit.log_likelihood - rival_.fit.log_likelihood;
+        named.nats_held_out = decision.named->held_out - rival_.held_out;
         result_.omitted.push_back(std::move(named));
     }
 
     /// What a member explains: against the best fitted set without it, or the retuned case.
     void share_of(NamedEffect& named, std::size_t member, const Decision& decision) {
         const FittedSet& best = *decision.named;
-        const FittedSet* without = &naming_.retuned;
+        const FittedSet* without = &rival_;
         for (const FittedSet& set : naming_.sets) {
             if (set.members() + 1 != best.members() || set.released != best.released) continue;
             const auto times = [&](const FittedSet& one) {
@@ -295,7 +271,8 @@ class WritingUp {
     const NamingResult& naming_;
     const PlaceStudy& study_;
     const Decision& decision_;
-    const FittedSet &retuned_, &named_;
+    const FittedSet& rival_;  ///< what the verdict is held against: retuned on the fitted part
+    const FittedSet &retuned_, &named_;  ///< on all of the recordings
     Diagnosis& result_;
 };
 

@@ -166,7 +166,7 @@ def line_of(effect, seed, options, truth, numbers, found):
         "first_place": first, "set_right": int(right), "place_right": "" if not truth else int(any(sits_at(own, first) for own in truth)),
         "intervals_right": inside, "intervals": total, "numbers_right": sum(n["low"] <= numbers[n["key"]] <= n["high"] for n in covered), "numbers": len(covered),
         "held_out_gain_nats_per_s": f'{fit["held_out_after"]["log_likelihood_per_second"] - fit["held_out_retuned"]["log_likelihood_per_second"]:.3g}',
-        "retuned_rms_db": f'{fit["retuned"]["rms_db"]:.3g}'}
+        "retuned_rms_db": f'{fit.get("freely_retuned", fit["retuned"])["rms_db"]:.3g}'}
 
 
 def main():

@@ -56,7 +56,7 @@ double bic_gain_of_psds(const diagnosis::Diagnosis& diagnosis) {
         if (used == diagnosis.recordings.end()) continue;
         for (std::size_t i = 0; i < channel.measured.size(); ++i) {
             // A mean of n periodograms is gamma distributed: log L = −n·(ln m + s/m) + const.
-            const double s = channel.measured[i], retuned = channel.retuned[i], diagnosed = channel.diagnosed[i];
+            const double s = channel.measured[i], diagnosed = channel.diagnosed[i], retuned = diagnosis.freely_retuned ? diagnosed : channel.retuned[i];
             gain += used->averages * (std::log(retuned / diagnosed) + s / retuned - s / diagnosed);
             values += 1.0;
         }
@@ -79,7 +79,12 @@ TrialResult trial_result(std::size_t trial, const diagnosis::Diagnosis& diagnosi
     result.held_out_retuned = diagnosis.held_out_retuned;
     result.held_out_after = diagnosis.held_out_after;
     result.hidden_by_retuning = diagnosis.hidden_by_retuning;
-    for (const diagnosis::RetunedNumber& number : diagnosis.retuned_numbers)
+    if (const auto& freely = diagnosis.freely_retuned) {
+        result.retuned = freely->fitted;
+        result.held_out_retuned = freely->held_out;
+        result.hidden_by_retuning = freely->hidden;
+    }
+    for (const diagnosis::RetunedNumber& number : diagnosis.freely_retuned ? diagnosis.freely_retuned->numbers : diagnosis.retuned_numbers)
         if (number.outside) result.retuned_outside.push_back(number.key);
     for (const diagnosis::RetunedNumber& number : diagnosis.numbers) result.numbers.push_back({number.key, number.value, number.low, number.high});
     result.bic_gain = bic_gain_of_psds(diagnosis);

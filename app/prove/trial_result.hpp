@@ -47,11 +47,11 @@ struct TrialResult {
     std::string program;  ///< fingerprint of the program that ran the trial
 };
 
-/// What is kept of a diagnosis.
+/// What is kept of a diagnosis. Retuned is what retuning may do that leaves its beliefs for what they cost, whatever the verdict is held against: what it conceals, and how far it goes, is the same question of every trial.
 TrialResult trial_result(std::size_t trial, const diagnosis::Diagnosis& diagnosis);
 
 /// The Bayesian information criterion from the PSDs alone: 2·Δlog L − k·ln N, channels and bins taken as independent
-/// estimates with their averages, both fits as the diagnosis found them. Positive: the best set of effects is worth its k parameters.
+/// estimates with their averages, both fits as the diagnosis found them. Positive: the best set of effects is worth its k parameters. A set that only gives up beliefs is to the PSDs what retuning has done already.
 double bic_gain_of_psds(const diagnosis::Diagnosis& diagnosis);
 
 /// The file of a finished trial. `label`: JSON of what was hidden, put beside the result after it was found.

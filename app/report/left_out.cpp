@@ -57,6 +57,11 @@ std::string rms_bar(const std::string& name, const char* kind, double value_db, 
         name, kind, width, decibels(value_db));
 }
 
+/// Of a verdict that is held against a case which keeps its beliefs: what retuning reaches that need not.
+std::string freely_words(const diagnosis::FitFigures& freely) {
+    return fmt::format("retuned keeps every belief within two tolerances here; where it may leave them it reaches {}, log-likelihood {}", decibels(freely.rms_db), figure(freely.log_likelihood_per_second));
+}
+
 std::string fit_bars(const Diagnosis& d, bool seen) {
     const auto& before = seen ? d.before : d.held_out_before;
     const auto& retuned = seen ? d.retuned : d.held_out_retuned;
@@ -70,6 +75,7 @@ std::string fit_bars(const Diagnosis& d, bool seen) {
     out += rms_bar("believed", "believed", before.rms_db, largest) +
            rms_bar("retuned", "retuned", retuned.rms_db, largest) +
            rms_bar("diagnosed", "diagnosed", after.rms_db, largest);
+    if (d.freely_retuned) out += "<p class=\"soft\">" + sentence(freely_words(seen ? d.freely_retuned->fitted : d.freely_retuned->held_out)) + "</p>\n";
     return out + fmt::format(
                      "<p class=\"soft\">Log-likelihood per {}{}: believed {}, retuned {}, "
                      "diagnosed "

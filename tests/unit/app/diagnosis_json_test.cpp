@@ -140,6 +140,16 @@ TEST(DiagnosisJson, WhatDoesNotExistIsNull) {
     EXPECT_EQ(text.find("nan"), std::string::npos);
 }
 
+TEST(DiagnosisJson, WhatRetuningReachesThatNeedNotKeepItsBeliefs) {
+    Diagnosis diagnosis = testing::explained();
+    EXPECT_FALSE(written(diagnosis)["fit"].contains("freely_retuned")) << "the verdict is held against just that";
+    diagnosis.freely_retuned = diagnosis::FreelyRetuned{.fitted = {0.42, -318.5}, .held_out = {0.93, 11.5}};
+    const Json fit = written(diagnosis)["fit"];
+    EXPECT_EQ(fit["freely_retuned"]["rms_db"], 0.42);
+    EXPECT_EQ(fit["held_out_freely_retuned"]["log_likelihood_per_second"], 11.5);
+    EXPECT_EQ(fit["retuned"]["rms_db"], diagnosis.retuned.rms_db);
+}
+
 TEST(DiagnosisJson, BytesThatAreNoTextDoNotStopIt) {
     Diagnosis diagnosis = testing::explained();
     diagnosis.recordings[0].name = "run\xff";

@@ -52,6 +52,16 @@ TEST(DiagnosisReport, AnswersInTheOrderOfTheQuestions) {
     }
 }
 
+TEST(DiagnosisReport, SaysWhereRetunedKeepsItsBeliefs) {
+    Diagnosis diagnosis = testing::explained();
+    EXPECT_EQ(content(diagnosis).find("within two tolerances,"), std::string::npos);
+    diagnosis.freely_retuned = diagnosis::FreelyRetuned{.fitted = {0.4231, -318.5}, .held_out = {0.9312, 11.54}, .hidden = 0.998};
+    const std::string page = content(diagnosis);
+    for (const char* words : {"Retuning the believed parameters within two tolerances, with nothing added", "removes <b>99.8 %</b> and gets to 0.42 dB",
+                              "where it may leave them it reaches 0.42 dB, log-likelihood -318", "where it may leave them it reaches 0.93 dB, log-likelihood 11.5"})
+        EXPECT_NE(page.find(words), std::string::npos) << words;
+}
+
 TEST(DiagnosisReport, EveryClaimHasItsNumber) {
     const std::string page = content(testing::explained());
     for (const char* number : {"0.151",

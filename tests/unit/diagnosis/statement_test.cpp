@@ -19,9 +19,20 @@ TEST(Statement, ConsistentSaysWhichNumberHadToGoFar) {
 TEST(Statement, ANumberIsNothingThatWasLeftOut) {
     Diagnosis diagnosis{.verdict = Verdict::explained};
     diagnosis.omitted = {{.instance = {.effect = "parameter-error", .values = {}, .choices = {{"parameter", "vehicle.bogie_mass_kg"}}}, .says = "nothing is missing: a value is wrong"}};
-    EXPECT_TRUE(statement_of(diagnosis).starts_with("Nothing is missing: a value is wrong (parameter vehicle.bogie_mass_kg). Retuning only goes there against the belief. With it"));
+    EXPECT_TRUE(statement_of(diagnosis).starts_with("Nothing is missing: a value is wrong (parameter vehicle.bogie_mass_kg). With it the recordings are more probable than after retuning alone by"));
     diagnosis.omitted.front() = {.instance = {.effect = "rail-shear", .values = {}, .choices = {}}, .says = "the rail shears"};
     EXPECT_TRUE(statement_of(diagnosis).starts_with("What the case left out: the rail shears"));
+}
+
+TEST(Statement, WhatOnlyGivesUpABeliefIsHeldAgainstWhoKeepsIt) {
+    Diagnosis diagnosis{.verdict = Verdict::explained};
+    diagnosis.omitted = {{.instance = {.effect = "irregularity-spectrum", .values = {}, .choices = {}}, .says = "the track is smoother"}};
+    diagnosis.retuned = {2.86, -349.8}, diagnosis.after = {0.42, -318.5};
+    diagnosis.held_out_retuned = {3.1, -19.5}, diagnosis.held_out_after = {0.94, 11.5};
+    diagnosis.freely_retuned = FreelyRetuned{.fitted = {0.42, -318.6}, .held_out = {0.93, 11.6}};
+    EXPECT_EQ(statement_of(diagnosis),
+              "What the case left out: the track is smoother (). With it the recordings are more probable than after retuning within two tolerances of what is believed by 31.3 nats per second of record, "
+              "and what no fit has seen by 31. Retuning that may leave its beliefs goes there, too: the belief was wrong.");
 }
 
 // Every n-th fastener has no share of seats: a dead band of the pads that acted like ten of them beyond their range ended the program.
