@@ -65,6 +65,7 @@ Json rival_json(const diagnosis::Rival& rival) {
             {"why_not", rival.why_not},
             {"would_separate", rival.would_separate},
             {"nats_behind", or_null(rival.nats_behind)},
+            {"nats_held_out", or_null(rival.nats_held_out)},
             {"instances", instances}};
 }
 

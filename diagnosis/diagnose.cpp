@@ -4,6 +4,7 @@
 #include <chrono>
 #include <memory>
 
+#include "diagnosis/belief_kept.hpp"
 #include "diagnosis/effort.hpp"
 #include "diagnosis/from_afar.hpp"
 #include "diagnosis/ground_resonance.hpp"
@@ -14,7 +15,6 @@
 #include "diagnosis/robust_covariance.hpp"
 #include "diagnosis/verdict.hpp"
 #include "diagnosis/wheel_unloading.hpp"
-#include "diagnosis/within_tolerances.hpp"
 #include "diagnosis/write_up.hpp"
 
 namespace railpem::diagnosis {
@@ -50,10 +50,10 @@ class Diagnosing {
         if (drop_superfluous(naming_, options_.thresholds)) naming_.left_by_best.clear();  // it was of a set that is gone
         const bool has_no_chance = naming_.sets.empty() && misses_much(naming_.retuned.fit, context_);  // of `consistent`, nor of a name
         if (!naming_.interrupted && !has_no_chance && rests_on_held_forces(naming_, believed_)) hold_again();
+        keep_beliefs();
         study_places();
         try_beside();
         tell_ground_from_pads(study_);  // only now: beside a name it is fitted at the pads
-        keep_beliefs();
         const Decision decision = decide(naming_, study_, options_.thresholds);
         say("refitting on everything", 0.92);
         refit(decision);
@@ -86,6 +86,20 @@ class Diagnosing {
         fit_again(naming_, believed_, context_);
         naming_.beyond.reset();  // of the forces before
         drop_superfluous(naming_, options_.thresholds);
+    }
+
+    /// The rival of what only gives up a belief; what does not outdo it is dropped, and the next best set asked.
+    void keep_beliefs() {
+        while (is_weighed_already(naming_, options_.thresholds)) {
+            say("the case that keeps what was believed", 0.755);
+            const FittedSet& best = naming_.sets.front();
+            study_.belief_kept = fit_belief_kept(believed_, naming_.retuned.fit, best, context_, {.patience = kRetuningPatience});
+            if (!study_.belief_kept || outdoes_kept(best, *study_.belief_kept)) return;
+            naming_.dropped.push_back(without_fit(best));
+            naming_.sets.erase(naming_.sets.begin());
+            naming_.left_by_best.clear();
+            study_.belief_kept.reset();
+        }
     }
 
     void study_places() {
@@ -187,13 +201,6 @@ class Diagnosing {
                                       unknown.score() + options_.thresholds.least_gain;
     }
 
-    /// The rival of what only gives up a belief. It begins where retuning ended, far from where it may end.
-    void keep_beliefs() {
-        if (naming_.interrupted || !only_gives_up_beliefs(naming_, options_.thresholds)) return;
-        say("the case with its beliefs kept", 0.915);
-        study_.within_tolerances = fit_within_tolerances(believed_, naming_.retuned.fit, context_, {.patience = kRetuningPatience});
-    }
-
     /// The retuned case and the named one, refitted on all of the recordings.
     void refit(const Decision& decision) {
         LikelihoodContext all = context_;
@@ -201,9 +208,9 @@ class Diagnosing {
         FitOptions retuning = near_;
         retuning.patience = kRetuningPatience;
         retuned_ = fit_set(believed_, naming_.retuned.fit, {}, {}, {}, all, retuning);
-        if (decision.verdict == Verdict::explained && study_.within_tolerances) kept_ = fit_within_tolerances(believed_, study_.within_tolerances->fit, all, retuning);
         named_ = decision.named ? fit_set(believed_, decision.named->fit, decision.named->effects, decision.named->released, {}, all, near_) : retuned_;
         named_.fit.covariance = robust_covariance(named_.fit, all);
+        if (decision.verdict == Verdict::explained && study_.belief_kept) kept_ = fit_belief_kept(believed_, study_.belief_kept->fit, named_, all, retuning);
     }
 
     const BelievedCase& believed_;
@@ -217,7 +224,7 @@ class Diagnosing {
     NamingResult naming_;
     PlaceStudy study_;
     FittedSet retuned_, named_;
-    std::optional<FittedSet> kept_;
+    std::optional<FittedSet> kept_;  ///< the rival of a verdict of beliefs alone, refitted like those
     Diagnosis result_;
 };
 

@@ -56,6 +56,7 @@ struct Rival {
     std::vector<EffectInstance> instances;
     double probability = 0.0;
     double nats_behind = 0.0;  ///< log-evidence that it lacks
+    double nats_held_out = 0.0;  ///< log-likelihood of what no fit saw, over retuning that may leave its beliefs
     std::string why_not;
     std::string would_separate;
 };
@@ -135,7 +136,7 @@ struct Margins {
     double place = 0.0;     ///< most that a free correction promises beside the retuned case
 };
 
-/// Retuning that may leave its beliefs for what they cost, where the verdict is held against a case that keeps them.
+/// Retuning that may leave its beliefs for what they cost, where the verdict is held against a retuned case that keeps those which are given up.
 struct FreelyRetuned {
     FitFigures fitted, held_out;
     double hidden = 0.0;  ///< share of the likelihood deficit that it removes
@@ -154,7 +155,7 @@ struct Diagnosis {
     FitFigures before, retuned, after;
     FitFigures held_out_before, held_out_retuned, held_out_after;
     double hidden_by_retuning = 0.0;
-    /// Where what is named only gives up beliefs. Everything else that is retuned keeps all of them within two tolerances then.
+    /// Where what is named only gives up beliefs that retuning has left, too. `retuned`, `held_out_retuned`, `retuned_numbers`, `mismatch`, channels and curves are of a retuned case then that keeps those within two tolerances.
     std::optional<FreelyRetuned> freely_retuned;
     bool per_value = false;  ///< no time series: figures are per value, not per second
     std::vector<RetunedNumber> numbers;    ///< of the diagnosed case (of the retuned when nothing is named)

@@ -25,7 +25,7 @@ std::string why_not(const FittedSet& set, double behind, const Findings& found) 
 }
 
 Rival rival_of(const FittedSet& set, const FittedSet& best, const Findings& found) {
-    Rival rival{.effects = labels_of(set), .nats_behind = best.score() - set.score()};
+    Rival rival{.effects = labels_of(set), .nats_behind = best.score() - set.score(), .nats_held_out = set.held_out - found.naming.retuned.held_out};
     rival.instances.assign(set.fit.trial.effects.begin() + static_cast<long>(found.believed.effects.size()), set.fit.trial.effects.end());
     for (const std::string& key : set.released) {
         std::size_t u = 0;

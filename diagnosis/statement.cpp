@@ -69,10 +69,10 @@ std::string how_far(const std::vector<RetunedNumber>& numbers) {
 std::string statement_of(const Diagnosis& diagnosis) {
     const std::string gain =
         fmt::format("With it the recordings are more probable than after retuning {} by {:.3g} nats per {}, and what no fit has seen by {:.3g}.{}",
-                    diagnosis.freely_retuned ? "within two tolerances of what is believed" : "alone", diagnosis.after.log_likelihood_per_second - diagnosis.retuned.log_likelihood_per_second,
+                    diagnosis.freely_retuned ? "that keeps what was believed within two tolerances" : "alone", diagnosis.after.log_likelihood_per_second - diagnosis.retuned.log_likelihood_per_second,
                     diagnosis.per_value ? "value" : "second of record",
                     diagnosis.held_out_after.log_likelihood_per_second - diagnosis.held_out_retuned.log_likelihood_per_second,
-                    diagnosis.freely_retuned ? " Retuning that may leave its beliefs goes there, too: the belief was wrong." : "");
+                    diagnosis.freely_retuned ? " Retuning that may leave the belief for what that costs goes there, too." : "");
     switch (diagnosis.verdict) {
         case Verdict::consistent:
             return fmt::format("Nothing significant is missing: with its own numbers retuned {} the case explains the recordings "

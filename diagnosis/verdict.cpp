@@ -120,10 +120,14 @@ bool leans(const FittedSet& set, double nothing) { return nats_beyond_range(set)
 
 double gain_asked(const FittedSet& set, const VerdictThresholds& thresholds) { return adds_physics(set) ? thresholds.least_gain : thresholds.belief_gain; }
 
-bool only_gives_up_beliefs(const NamingResult& naming, const VerdictThresholds& thresholds) {
-    if (naming.sets.empty()) return false;
+bool is_weighed_already(const NamingResult& naming, const VerdictThresholds& thresholds) {
+    if (naming.sets.empty() || naming.unseen_share <= 0.0) return false;
     const FittedSet& best = naming.sets.front();
-    return !adds_physics(best) && best.score() > naming.retuned.score() + gain_asked(best, thresholds);
+    return !adds_physics(best) && best.score() > naming.retuned.score() + gain_asked(best, thresholds) && best.held_out < naming.retuned.held_out + kHeldOutChance;
+}
+
+bool outdoes_kept(const FittedSet& set, const FittedSet& belief_kept) {
+    return set.fit.log_likelihood > belief_kept.fit.log_likelihood + kHeldOutChance && set.held_out > belief_kept.held_out;
 }
 
 std::string no_wrong_number(const FittedSet& set, double nothing) { return leans(set, nothing) ? number_beyond_range(set) : ""; }
@@ -210,8 +214,7 @@ Decision decide(const NamingResult& naming, const PlaceStudy& places, const Verd
     for (const FittedSet& set : places.anonymous) decision.unknown_score = std::max(decision.unknown_score, set.score());
     const double nothing = naming.retuned.score();
     const FittedSet* best = naming.sets.empty() ? nullptr : &naming.sets.front();
-    const bool unseen_gains = !places.within_tolerances || (best && best->held_out > places.within_tolerances->held_out);
-    const bool gains = best && best->score() > nothing + gain_asked(*best, thresholds) && !unseen_disagrees(naming.retuned, *best, naming.unseen_share) && unseen_gains;
+    const bool gains = best && best->score() > nothing + gain_asked(*best, thresholds) && !unseen_disagrees(naming.retuned, *best, naming.unseen_share);
     const bool has_name = gains && no_wrong_number(*best, nothing).empty();
     const bool stands_beside = places.named_stands && best && could_stand_beside(*best, nothing, thresholds);
     if (has_name && (decision.unknown_score < best->score() + thresholds.anonymous || stands_beside)) {

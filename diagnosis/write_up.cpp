@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "diagnosis/belief_kept.hpp"
 #include "diagnosis/compare_channels.hpp"
 #include "diagnosis/decay_rate_reference.hpp"
 #include "diagnosis/fit_figures.hpp"
@@ -26,7 +27,7 @@ class WritingUp {
   public:
     WritingUp(const Findings& found, Diagnosis& result)
         : found_(found), believed_(found.believed), observations_(found.observations), context_(found.context), thresholds_(found.thresholds), naming_(found.naming),
-          study_(found.study), decision_(found.decision), rival_(found.kept ? *found.study.within_tolerances : found.naming.retuned), retuned_(found.kept ? *found.kept : found.retuned),
+          study_(found.study), decision_(found.decision), baseline_(found.kept ? *found.study.belief_kept : found.naming.retuned), retuned_(found.kept ? *found.kept : found.retuned),
           named_(found.named), result_(result) {}
 
     void run() {
@@ -77,10 +78,10 @@ class WritingUp {
         const FittedSet& after = decision.named ? *decision.named : naming_.retuned;
         const FigureScale scale(after.fit, context_);
         result_.before = scale.of(believed, before, Part::fitted);
-        result_.retuned = scale.of(rival_.fit, Part::fitted);
+        result_.retuned = scale.of(baseline_.fit, Part::fitted);
         result_.after = scale.of(after.fit, Part::fitted);
         result_.held_out_before = scale.of(believed, before, Part::held_out);
-        result_.held_out_retuned = scale.of(rival_.fit, Part::held_out);
+        result_.held_out_retuned = scale.of(baseline_.fit, Part::held_out);
         result_.held_out_after = scale.of(after.fit, Part::held_out);
         result_.hidden_by_retuning = hidden_by(result_.retuned);
         if (found_.kept) {
@@ -140,16 +141,17 @@ class WritingUp {
         named.source = find_effect("parameter-error")->source;
         named.parameters.push_back({"factor", std::exp(x), std::exp(x - reach), std::exp(x + reach), "1"});
         named.probability = probability_with(naming_, decision, [&](const FittedSet& set) { return std::find(set.released.begin(), set.released.end(), key) != set.released.end(); });
-        named.nats_fitted = decision.named->fit.log_likelihood - rival_.fit.log_likelihood;
-        named.nats_held_out = decision.named->held_out - rival_.held_out;
+        named.nats_fitted = decision.named->fit.log_likelihood - baseline_.fit.log_likelihood;
+        named.nats_held_out = decision.named->held_out - baseline_.held_out;
         result_.omitted.push_back(std::move(named));
     }
 
-    /// What a member explains: against the best fitted set without it, or the retuned case.
+    /// What a member explains: against the best fitted set without it, or what the verdict is held against.
     void share_of(NamedEffect& named, std::size_t member, const Decision& decision) {
         const FittedSet& best = *decision.named;
-        const FittedSet* without = &rival_;
+        const FittedSet* without = &baseline_;
         for (const FittedSet& set : naming_.sets) {
+            if (found_.kept) break;  // beliefs are given up together: retuning has moved each of them in the others' place
             if (set.members() + 1 != best.members() || set.released != best.released) continue;
             const auto times = [&](const FittedSet& one) {
                 return std::count_if(one.effects.begin(), one.effects.end(), [&](const Candidate& own) { return same_variant(own.instance, best.effects[member].instance); });
@@ -167,9 +169,9 @@ class WritingUp {
             const auto number = std::find_if(believed_.uncertain.begin(), believed_.uncertain.end(), [&](const BelievedNumber& own) { return own.key == fit.unknowns[u].name; });
             const double reach = kNinety * fit.deviation(u), x = fit.values[u];
             RetunedNumber own{.key = number->key, .unit = number->unit, .believed = number->value, .value = number->value * std::exp(x),
-                              .low = number->value * std::exp(x - reach), .high = number->value * std::exp(x + reach), .tolerance = number->tolerance,
+                              .low = number->value * std::exp(std::max(fit.unknowns[u].low, x - reach)), .high = number->value * std::exp(std::min(fit.unknowns[u].high, x + reach)), .tolerance = number->tolerance,
                               .tolerances_away = x / number->tolerance};
-            own.outside = std::abs(own.tolerances_away) > 2.0;
+            own.outside = std::abs(own.tolerances_away) > kKeptTolerances * (1.0 + 1e-9);  // a number that is kept ends there but for rounding
             numbers.push_back(own);
         }
         return numbers;
@@ -271,7 +273,7 @@ class WritingUp {
     const NamingResult& naming_;
     const PlaceStudy& study_;
     const Decision& decision_;
-    const FittedSet& rival_;  ///< what the verdict is held against: retuned on the fitted part
+    const FittedSet& baseline_;  ///< what the verdict is held against: retuned on the fitted part
     const FittedSet &retuned_, &named_;  ///< on all of the recordings
     Diagnosis& result_;
 };

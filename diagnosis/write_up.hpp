@@ -17,7 +17,7 @@ struct Findings {
     const PlaceStudy& study;
     const Decision& decision;
     const FittedSet& retuned;              ///< refitted on all of the recordings
-    const FittedSet* kept;                 ///< that too, with every belief kept; nullptr where the verdict is held against `retuned`
+    const FittedSet* kept;                 ///< that too, with the beliefs kept that are given up; nullptr where the verdict is held against `retuned`
     const FittedSet& named;                ///< that too; `retuned` where nothing is named
 };
 

@@ -57,9 +57,9 @@ std::string rms_bar(const std::string& name, const char* kind, double value_db, 
         name, kind, width, decibels(value_db));
 }
 
-/// Of a verdict that is held against a case which keeps its beliefs: what retuning reaches that need not.
+/// Of a verdict that is held against a case which keeps what was believed: what retuning reaches that need not.
 std::string freely_words(const diagnosis::FitFigures& freely) {
-    return fmt::format("retuned keeps every belief within two tolerances here; where it may leave them it reaches {}, log-likelihood {}", decibels(freely.rms_db), figure(freely.log_likelihood_per_second));
+    return fmt::format("retuned keeps what is given up within two tolerances of the belief; where it may leave it for what that costs it reaches {} and log-likelihood {}", decibels(freely.rms_db), figure(freely.log_likelihood_per_second));
 }
 
 std::string fit_bars(const Diagnosis& d, bool seen) {
@@ -93,8 +93,8 @@ std::string rival_card(const diagnosis::Rival& rival) {
             values += (values.empty() ? "" : ", ") + escaped(name) + " " + figure(value);
     }
     std::string out =
-        fmt::format("<article class=\"card\"><h3>{}</h3><p class=\"soft\">Probability {}, {} nats behind{}.</p>",
-                    set_words(rival.effects), percent(rival.probability), figure(rival.nats_behind),
+        fmt::format("<article class=\"card\"><h3>{}</h3><p class=\"soft\">Probability {}, {} nats behind; on data unseen {} nats over retuning{}.</p>",
+                    set_words(rival.effects), percent(rival.probability), figure(rival.nats_behind), figure(rival.nats_held_out),
                     values.empty() ? "" : "; " + values);
     if (!rival.why_not.empty()) out += "<p><b>Why not:</b> " + sentence(rival.why_not) + "</p>";
     if (!rival.would_separate.empty()) out += "<p><b>Would separate:</b> " + sentence(rival.would_separate) + "</p>";

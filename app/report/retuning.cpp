@@ -70,10 +70,10 @@ std::string summary(const Diagnosis& diagnosis, std::size_t outside) {
             : "";
     std::string out =
         fmt::format("<p>Retuning the believed parameters{}, with nothing added, {}brings the misfit from {} to {}. ",
-                    diagnosis.freely_retuned ? " within two tolerances" : "", removed, decibels(diagnosis.before.rms_db), decibels(diagnosis.retuned.rms_db));
+                    diagnosis.freely_retuned ? ", of which what is given up stays within two tolerances" : "", removed, decibels(diagnosis.before.rms_db), decibels(diagnosis.retuned.rms_db));
     if (const auto& freely = diagnosis.freely_retuned)
-        return out + fmt::format("Where it may leave what is believed it goes where the diagnosed case is, removes <b>{}</b> and gets to {}: calibration would have found the values and hidden that the belief was wrong.</p>\n",
-                                 percent(freely->hidden), decibels(freely->fitted.rms_db));
+        out += fmt::format("Where it may leave what is given up, for what that costs, it removes <b>{}</b> and gets to {}: calibration would have found the value and hidden that the belief was wrong. ", percent(freely->hidden),
+                           decibels(freely->fitted.rms_db));
     if (diagnosis.retuned_numbers.empty()) return out + "</p>\n";
     out += fmt::format("<b>{}</b> of {} parameters leave their tolerance for it", outside,
                        diagnosis.retuned_numbers.size());

@@ -31,6 +31,25 @@ std::vector<Rival> rivals_where(const FrictionLaw& law) {
                       .retuned = naming.retuned, .named = naming.sets.front()});
 }
 
+TEST(Rivals, SayWhatTheyGainOnTheUnseen) {
+    NamingResult naming;
+    naming.retuned.held_out = -5.0;
+    naming.sets = {friction_beside_a_gain(), friction_beside_a_gain()};
+    naming.sets[0].held_out = 300.0, naming.sets[1].held_out = 20.0, naming.sets[1].fit.log_evidence = 100.0;
+    PlaceStudy study;
+    study.belief_kept = FittedSet{.held_out = -900.0};  // of another question
+    const VerdictThresholds thresholds;
+    const Decision decision = decide(naming, study, thresholds);
+    const BelievedCase believed;
+    const std::vector<Observation> observations;
+    const LikelihoodContext context{.believed = &believed, .observations = &observations};
+    const std::vector<Rival> rivals = rivals_of({.believed = believed, .observations = observations, .context = context, .thresholds = thresholds, .naming = naming, .study = study, .decision = decision,
+                                                 .retuned = naming.retuned, .named = naming.sets.front()});
+    ASSERT_EQ(rivals.size(), 1u);
+    EXPECT_EQ(rivals.front().nats_behind, 900.0);
+    EXPECT_EQ(rivals.front().nats_held_out, 25.0);
+}
+
 TEST(Rivals, AreNoneBesideAFrictionThatIsConstant) { EXPECT_TRUE(rivals_where({1.1, 0.015, 1.1}).empty()); }
 
 TEST(Rivals, OfAFrictionThatMayBeAnotherAreBothLaws) {

@@ -312,26 +312,30 @@ TEST(Decide, NamesNothingThatLeavesLevelsOff) {
 }
 
 // Of a track 8 dB smoother the unseen part was 1.9 nats less probable than after retuning, which had gone there, too, and it was `explained`: the rival is the case that keeps its beliefs.
-TEST(Decide, GivesUpABeliefWhereTheUnseenIsMoreProbableThanToWhoKeepsIt) {
-    const auto decision_of = [](const FittedSet& set, double kept) {
-        PlaceStudy study;
-        study.within_tolerances = given_set({}, {}, 0.0, kept);
-        return decide(given_naming({set}), study, thresholds);
+TEST(WeighedAlready, AreBeliefsThatRetuningHasLeft) {
+    const auto asks = [](const FittedSet& set, double unseen_share = 1.0 / 3.0) {
+        NamingResult naming = given_naming({set});
+        naming.unseen_share = unseen_share;
+        return is_weighed_already(naming, thresholds);
     };
-    for (const FittedSet& set : {given_set({"irregularity-spectrum"}, {}, 20.0, -1.9), given_set({}, {"vehicle.bogie_mass_kg"}, 20.0, -1.9)}) {
-        EXPECT_EQ(decision_of(set, -50.0).verdict, Verdict::explained);
-        EXPECT_EQ(decision_of(set, -1.8).verdict, Verdict::consistent);
-        EXPECT_EQ(decision_of(set, -1.8).named, nullptr);
-    }
+    EXPECT_TRUE(asks(given_set({"irregularity-spectrum"}, {"vehicle.bogie_mass_kg"}, 20.0, -1.9)));
+    EXPECT_TRUE(asks(given_set({"sleeper-passing"}, {}, 1.6, 1.9)));
+    EXPECT_FALSE(asks(given_set({"sleeper-passing"}, {}, 20.0, 2.1))) << "retuning did not get there";
+    EXPECT_FALSE(asks(given_set({"sleeper-passing"}, {}, 1.4, 0.0))) << "no name comes of it";
+    EXPECT_FALSE(asks(given_set({"rail-shear"}, {"vehicle.bogie_mass_kg"}, 20.0, 0.0))) << "physics";
+    EXPECT_FALSE(asks(given_set({"irregularity-spectrum"}, {}, 20.0, 0.0), 0.0)) << "nothing is unseen";
+    EXPECT_FALSE(is_weighed_already(given_naming({}), thresholds));
 }
 
-TEST(Decide, AsksForBeliefsKeptWhereOnlyBeliefsAreGivenUp) {
-    const auto asks = [](const FittedSet& set) { return only_gives_up_beliefs(given_naming({set}), thresholds); };
-    EXPECT_TRUE(asks(given_set({"irregularity-spectrum"}, {"vehicle.bogie_mass_kg"}, 20.0, 5.0)));
-    EXPECT_TRUE(asks(given_set({"sleeper-passing"}, {}, 1.6, 0.0)));
-    EXPECT_FALSE(asks(given_set({"sleeper-passing"}, {}, 1.4, 0.0))) << "no name comes of it";
-    EXPECT_FALSE(asks(given_set({"rail-shear"}, {"vehicle.bogie_mass_kg"}, 20.0, 5.0)));
-    EXPECT_FALSE(only_gives_up_beliefs(given_naming({}), thresholds));
+TEST(OutdoesKept, AsksForTheSeenBeyondChanceAndForTheUnseen) {
+    const auto outdoes = [](double seen, double unseen) {
+        FittedSet set = given_set({"irregularity-spectrum"}, {}, 20.0, unseen);
+        set.fit.log_likelihood = seen;
+        return outdoes_kept(set, given_set({}, {}, 0.0, 0.0));
+    };
+    EXPECT_TRUE(outdoes(2.1, 0.1));
+    EXPECT_FALSE(outdoes(1.9, 0.1)) << "the case that keeps its belief explains as much";
+    EXPECT_FALSE(outdoes(90.0, -0.1));
 }
 
 // A number that is named as wrong may be as wrong as it is.
