@@ -49,8 +49,8 @@ class Diagnosing {
         }
         if (drop_superfluous(naming_, options_.thresholds)) naming_.left_by_best.clear();  // it was of a set that is gone
         const bool has_no_chance = naming_.sets.empty() && misses_much(naming_.retuned.fit, context_);  // of `consistent`, nor of a name
-        if (!naming_.interrupted && !has_no_chance && rests_on_held_forces(naming_, believed_)) hold_again();
         keep_beliefs();
+        if (!naming_.interrupted && !has_no_chance && rests_on_held_forces(naming_, believed_)) hold_again();
         study_places();
         try_beside();
         tell_ground_from_pads(study_);  // only now: beside a name it is fitted at the pads
@@ -86,20 +86,19 @@ class Diagnosing {
         fit_again(naming_, believed_, context_);
         naming_.beyond.reset();  // of the forces before
         drop_superfluous(naming_, options_.thresholds);
+        keep_beliefs();
     }
 
-    /// The rival of what only gives up a belief; what does not outdo it is dropped, and the next best set asked.
+    /// What only gives up beliefs is held against the case that keeps them.
     void keep_beliefs() {
-        while (is_weighed_already(naming_, options_.thresholds)) {
+        const std::size_t before = naming_.sets.size();
+        HeldBeliefs held = drop_unfounded_beliefs(naming_, options_.thresholds, [this](const FittedSet& set) {
             say("the case that keeps what was believed", 0.755);
-            const FittedSet& best = naming_.sets.front();
-            study_.belief_kept = fit_belief_kept(believed_, naming_.retuned.fit, best, context_, {.patience = kRetuningPatience});
-            if (!study_.belief_kept || outdoes_kept(best, *study_.belief_kept)) return;
-            naming_.dropped.push_back(without_fit(best));
-            naming_.sets.erase(naming_.sets.begin());
-            naming_.left_by_best.clear();
-            study_.belief_kept.reset();
-        }
+            return fit_belief_kept(believed_, naming_.retuned.fit, set, context_, {.patience = kRetuningPatience});
+        });
+        study_.belief_kept = std::move(held.of_best);
+        study_.unfounded.insert(study_.unfounded.end(), held.unfounded.begin(), held.unfounded.end());
+        if (naming_.sets.size() != before) naming_.left_by_best.clear();  // perhaps of a set that is gone
     }
 
     void study_places() {
@@ -210,7 +209,9 @@ class Diagnosing {
         retuned_ = fit_set(believed_, naming_.retuned.fit, {}, {}, {}, all, retuning);
         named_ = decision.named ? fit_set(believed_, decision.named->fit, decision.named->effects, decision.named->released, {}, all, near_) : retuned_;
         named_.fit.covariance = robust_covariance(named_.fit, all);
-        if (decision.verdict == Verdict::explained && study_.belief_kept) kept_ = fit_belief_kept(believed_, study_.belief_kept->fit, named_, all, retuning);
+        if (decision.verdict != Verdict::explained || !study_.belief_kept) return;
+        kept_ = fit_belief_kept(believed_, study_.belief_kept->fit, named_, all, retuning);
+        if (!kept_) kept_ = study_.belief_kept;
     }
 
     const BelievedCase& believed_;

@@ -139,8 +139,6 @@ struct Margins {
 /// Retuning that may leave its beliefs for what they cost, where the verdict is held against a retuned case that keeps those which are given up.
 struct FreelyRetuned {
     FitFigures fitted, held_out;
-    double hidden = 0.0;  ///< share of the likelihood deficit that it removes
-    std::vector<RetunedNumber> numbers;
 };
 
 struct Diagnosis {
@@ -154,8 +152,8 @@ struct Diagnosis {
     std::vector<Mismatch> mismatch;     ///< most certain first
     FitFigures before, retuned, after;
     FitFigures held_out_before, held_out_retuned, held_out_after;
-    double hidden_by_retuning = 0.0;
-    /// Where what is named only gives up beliefs that retuning has left, too. `retuned`, `held_out_retuned`, `retuned_numbers`, `mismatch`, channels and curves are of a retuned case then that keeps those within two tolerances.
+    double hidden_by_retuning = 0.0;  ///< share of the likelihood deficit that retuning removes which may leave its beliefs for what they cost
+    /// Where what is named only gives up beliefs that retuning has left, too. `retuned`, `held_out_retuned`, `mismatch`, channels and curves are of a retuned case then that keeps those within two tolerances.
     std::optional<FreelyRetuned> freely_retuned;
     bool per_value = false;  ///< no time series: figures are per value, not per second
     std::vector<RetunedNumber> numbers;    ///< of the diagnosed case (of the retuned when nothing is named)

@@ -69,7 +69,7 @@ std::string how_far(const std::vector<RetunedNumber>& numbers) {
 std::string statement_of(const Diagnosis& diagnosis) {
     const std::string gain =
         fmt::format("With it the recordings are more probable than after retuning {} by {:.3g} nats per {}, and what no fit has seen by {:.3g}.{}",
-                    diagnosis.freely_retuned ? "that keeps what was believed within two tolerances" : "alone", diagnosis.after.log_likelihood_per_second - diagnosis.retuned.log_likelihood_per_second,
+                    diagnosis.freely_retuned ? "that keeps what is given up within two tolerances" : "alone", diagnosis.after.log_likelihood_per_second - diagnosis.retuned.log_likelihood_per_second,
                     diagnosis.per_value ? "value" : "second of record",
                     diagnosis.held_out_after.log_likelihood_per_second - diagnosis.held_out_retuned.log_likelihood_per_second,
                     diagnosis.freely_retuned ? " Retuning that may leave the belief for what that costs goes there, too." : "");

@@ -120,14 +120,32 @@ bool leans(const FittedSet& set, double nothing) { return nats_beyond_range(set)
 
 double gain_asked(const FittedSet& set, const VerdictThresholds& thresholds) { return adds_physics(set) ? thresholds.least_gain : thresholds.belief_gain; }
 
-bool is_weighed_already(const NamingResult& naming, const VerdictThresholds& thresholds) {
-    if (naming.sets.empty() || naming.unseen_share <= 0.0) return false;
-    const FittedSet& best = naming.sets.front();
-    return !adds_physics(best) && best.score() > naming.retuned.score() + gain_asked(best, thresholds) && best.held_out < naming.retuned.held_out + kHeldOutChance;
+bool is_weighed_already(const FittedSet& set, const NamingResult& naming, const VerdictThresholds& thresholds) {
+    return naming.unseen_share > 0.0 && !adds_physics(set) && set.score() > naming.retuned.score() + gain_asked(set, thresholds) && set.held_out < naming.retuned.held_out + kHeldOutChance;
 }
 
 bool outdoes_kept(const FittedSet& set, const FittedSet& belief_kept) {
     return set.fit.log_likelihood > belief_kept.fit.log_likelihood + kHeldOutChance && set.held_out > belief_kept.held_out;
+}
+
+HeldBeliefs drop_unfounded_beliefs(NamingResult& naming, const VerdictThresholds& thresholds, const std::function<std::optional<FittedSet>(const FittedSet&)>& keep) {
+    HeldBeliefs held;
+    for (std::size_t i = 0; i < naming.sets.size() && naming.sets[i].score() > naming.sets.front().score() - thresholds.credible;) {
+        const FittedSet& set = naming.sets[i];
+        std::optional<FittedSet> kept;
+        if (is_weighed_already(set, naming, thresholds)) {
+            kept = keep(set);
+            if (!kept || !outdoes_kept(set, *kept)) {
+                for (const std::string& label : labels_of(set)) held.unfounded.push_back(label);
+                naming.dropped.push_back(without_fit(set));
+                naming.sets.erase(naming.sets.begin() + static_cast<long>(i));
+                continue;
+            }
+        }
+        if (i == 0) held.of_best = std::move(kept);
+        ++i;
+    }
+    return held;
 }
 
 std::string no_wrong_number(const FittedSet& set, double nothing) { return leans(set, nothing) ? number_beyond_range(set) : ""; }

@@ -1,6 +1,9 @@
 #pragma once
 // From fitted sets to a verdict.
 
+#include <functional>
+#include <optional>
+
 #include "diagnosis/constancy.hpp"
 #include "diagnosis/diagnose.hpp"
 #include "diagnosis/friction_law.hpp"
@@ -13,7 +16,8 @@ struct PlaceStudy {
     std::vector<PlaceEvidence> at_retuned;  ///< ranked; what each would explain of what retuning leaves
     std::vector<PlaceEvidence> at_named;    ///< the same beside the named set: what is still missing
     std::vector<FittedSet> anonymous;       ///< fully fitted free corrections of the best places
-    std::optional<FittedSet> belief_kept;   ///< where is_weighed_already(): the rival of the best set, fit_belief_kept()
+    std::optional<FittedSet> belief_kept;   ///< of the best set, where it is_weighed_already(): fit_belief_kept()
+    std::vector<std::string> unfounded;     ///< beliefs that would be given up, but for what no fit has seen
     bool named_stands = true;               ///< where the unknown outdoes the best set: whether that explains something beside it
     std::vector<ParameterByRecording> by_recording;  ///< of the best set
     std::optional<FrictionLaw> friction;    ///< of the best set, where it names friction
@@ -44,12 +48,21 @@ bool drop_superfluous(NamingResult& naming, const VerdictThresholds& thresholds)
 /// Nats of log-evidence with prior by which a set has to be more probable than the retuned case to be named. Where it adds no physics, retuning only had to stay too near a belief: VerdictThresholds::belief_gain.
 double gain_asked(const FittedSet& set, const VerdictThresholds& thresholds);
 
-/// Whether the best set of a search gains what it is asked by beliefs alone that it gives up, and retuning, which weighs them, has gone the same way: to both what no fit has seen is as probable, chance apart. That says nothing of
+/// Whether a set gains what it is asked by beliefs alone that it gives up, and retuning, which weighs them, has gone the same way: to both what no fit has seen is as probable, chance apart. That says nothing of
 /// the belief then; outdoes_kept() does. Not where there is nothing that no fit has seen.
-bool is_weighed_already(const NamingResult& naming, const VerdictThresholds& thresholds);
+bool is_weighed_already(const FittedSet& set, const NamingResult& naming, const VerdictThresholds& thresholds);
 
 /// Whether a set that gives up beliefs explains what was fitted better than the case that keeps them by more than chance, and what no fit has seen better at all.
 bool outdoes_kept(const FittedSet& set, const FittedSet& belief_kept);
+
+/// What is left of beliefs that were weighed already.
+struct HeldBeliefs {
+    std::optional<FittedSet> of_best;      ///< the case that keeps what the best set gives up, where that was weighed already
+    std::vector<std::string> unfounded;    ///< labels of what was dropped
+};
+
+/// Drops the sets that could be named, or stand beside the name, by beliefs that were weighed already, and do not outdo the case that keeps them: `keep` fits that (none where physics forbids it: dropped, too).
+HeldBeliefs drop_unfounded_beliefs(NamingResult& naming, const VerdictThresholds& thresholds, const std::function<std::optional<FittedSet>(const FittedSet&)>& keep);
 
 /// A member is smaller than anybody would speak of, or lies on the weak end of its range: it makes up for what a law beside it is off by.
 bool is_trifling(const FittedSet& set);

@@ -5,7 +5,7 @@
 
 Recordings are those of hide_and_seek.py (three speeds, every number off within its tolerance). Each is diagnosed twice: with the whole catalogue, and without what was hidden (`--without`), so
 that the search brings the best that wrong physics can do: single effects, pairs, triples. Gains are nats of log-likelihood over retuning on the last quarter of every record. A wrong set is of
-equal freedom if it has no more parameters than what was hidden. What retuning moves already (a number, the level of the irregularity) is left out: the test `WithinTolerances` asks that.
+equal freedom if it has no more parameters than what was hidden. Level of the irregularity and a wrong number are left out: retuning moves them, and the test `BeliefKept.TellsWhetherTheBeliefWasWrong` asks that.
 """
 import argparse
 import csv

@@ -82,9 +82,8 @@ TrialResult trial_result(std::size_t trial, const diagnosis::Diagnosis& diagnosi
     if (const auto& freely = diagnosis.freely_retuned) {
         result.retuned = freely->fitted;
         result.held_out_retuned = freely->held_out;
-        result.hidden_by_retuning = freely->hidden;
     }
-    for (const diagnosis::RetunedNumber& number : diagnosis.freely_retuned ? diagnosis.freely_retuned->numbers : diagnosis.retuned_numbers)
+    for (const diagnosis::RetunedNumber& number : diagnosis.retuned_numbers)
         if (number.outside) result.retuned_outside.push_back(number.key);
     for (const diagnosis::RetunedNumber& number : diagnosis.numbers) result.numbers.push_back({number.key, number.value, number.low, number.high});
     result.bic_gain = bic_gain_of_psds(diagnosis);

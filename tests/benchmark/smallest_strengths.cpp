@@ -14,8 +14,8 @@
 #include "app/diagnosis_inputs.hpp"
 #include "diagnosis/diagnose.hpp"
 #include "diagnosis/fitted_set.hpp"
-#include "diagnosis/synthesis.hpp"
 #include "spectra/irregularity_spectrum.hpp"
+#include "tests/benchmark/typical_effects.hpp"
 
 namespace {
 
@@ -57,29 +57,10 @@ class Detecting {
   public:
     Detecting(diagnosis::BelievedCase believed, const Condition& condition, double seconds) : believed_(std::move(believed)) {
         if (condition.irregularity_measured) believed_.measured_irregularity = {measured_as_believed(believed_.numbers.irregularity)};
-        const std::vector<std::string> channels = {"body_front", "body", "body_rear", "bogie_1", "bogie_2", "wheel_1", "wheel_2", "wheel_3", "wheel_4"};
-        for (const double speed : condition.speeds_m_per_s) {
-            observations_.push_back(diagnosis::observation_shape(speed, 0.0, seconds, channels, believed_.numbers, {}));
-            observations_.back().name = std::to_string(speed);
-        }
+        observations_ = tests::nine_channel_shapes(believed_, condition.speeds_m_per_s, seconds);
     }
 
-    /// Typical instances of every effect that the case allows; of those that sit in several places the first wheel or channel.
-    std::vector<diagnosis::Candidate> typical() const {
-        std::vector<diagnosis::Candidate> first;
-        for (const diagnosis::Candidate& candidate : diagnosis::candidates(believed_, diagnosis::believed_trial(believed_, observations_), observations_).candidates) {
-            const auto& choices = candidate.instance.choices;
-            if (choices.count("wheel") && (choices.at("wheel") != "2" || choices.at("order") != "3")) continue;
-            if (choices.count("channel") && choices.at("channel") != "bogie_1") continue;
-            if (std::any_of(first.begin(), first.end(), [&](const diagnosis::Candidate& own) { return diagnosis::same_variant(own.instance, candidate.instance); })) continue;
-            first.push_back(candidate);
-            for (const diagnosis::EffectParameter& parameter : diagnosis::find_effect(candidate.instance.effect)->parameters)
-                if (first.back().instance.values.count(parameter.name)) first.back().instance.values[parameter.name] = parameter.typical;
-            // Typical of dampers against rolling noise: above what is recorded here.
-            if (candidate.instance.effect == "rail-damper") first.back().instance.values["frequency_hz"] = 120.0;
-        }
-        return first;
-    }
+    std::vector<diagnosis::Candidate> typical() const { return tests::typical_effects(believed_, observations_); }
 
     /// Nats of log-evidence by which the effect leads the retuned case.
     double lead(diagnosis::Candidate candidate, double share) {

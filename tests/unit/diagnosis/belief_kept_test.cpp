@@ -68,6 +68,9 @@ TEST_F(BeliefKept, GoesAsFarAsTheSetAndNoFurtherThanPhysics) {
     EXPECT_EQ(kept(narrow, 0.0).high, 2.0);
     EXPECT_EQ(kept(narrow, 1.9).high, 2.0);
     EXPECT_EQ(kept(narrow, 3.5).high, 3.5);
+    const Unknown measured{.kind = UnknownKind::irregularity, .mean = 0.7, .deviation = 0.1, .low = -4.0, .high = 4.0};
+    EXPECT_NEAR(kept(measured, 0.0).low, 0.5, 1e-12) << "about what was measured";
+    EXPECT_NEAR(kept(measured, 0.0).high, 0.9, 1e-12);
 }
 
 // A speed, or a number that is off by itself, is no gain of what is named.

@@ -31,7 +31,7 @@ TEST(Statement, WhatOnlyGivesUpABeliefIsHeldAgainstWhoKeepsIt) {
     diagnosis.held_out_retuned = {3.1, -19.5}, diagnosis.held_out_after = {0.94, 11.5};
     diagnosis.freely_retuned = FreelyRetuned{.fitted = {0.42, -318.6}, .held_out = {0.93, 11.6}};
     EXPECT_EQ(statement_of(diagnosis),
-              "What the case left out: the track is smoother (). With it the recordings are more probable than after retuning that keeps what was believed within two tolerances by 31.3 nats per second of record, "
+              "What the case left out: the track is smoother (). With it the recordings are more probable than after retuning that keeps what is given up within two tolerances by 31.3 nats per second of record, "
               "and what no fit has seen by 31. Retuning that may leave the belief for what that costs goes there, too.");
 }
 

@@ -190,19 +190,15 @@ TEST(TrialResult, RetunedIsWhatMayLeaveItsBeliefs) {
     diagnosis.omitted = {{.instance = {.effect = "parameter-error"}, .parameters = {{"factor", 1.5, 1.4, 1.6, "1"}}}};
     diagnosis.recordings = {{.name = "run", .averages = 20.0}};
     diagnosis.channels = {{.recording = "run", .channel = "wheel_1", .measured = {1.0, 1.0}, .retuned = {0.5, 0.5}, .diagnosed = {1.0, 1.0}}};
-    diagnosis.retuned = {2.9, -350.0}, diagnosis.held_out_retuned = {3.1, -20.0}, diagnosis.hidden_by_retuning = 0.5;
-    diagnosis.retuned_numbers = {{.key = "vehicle.bogie_mass_kg", .tolerances_away = 2.0}};
+    diagnosis.retuned = {2.9, -350.0}, diagnosis.held_out_retuned = {3.1, -20.0};
     const TrialResult kept = trial_result(1, diagnosis);
     EXPECT_EQ(kept.retuned.rms_db, 2.9);
-    EXPECT_TRUE(kept.retuned_outside.empty());
     EXPECT_GT(kept.bic_gain, 0.0);
 
-    diagnosis.freely_retuned = diagnosis::FreelyRetuned{.fitted = {0.4, -318.0}, .held_out = {0.9, 11.0}, .hidden = 0.99, .numbers = {{.key = "vehicle.bogie_mass_kg", .tolerances_away = 4.0, .outside = true}}};
+    diagnosis.freely_retuned = diagnosis::FreelyRetuned{.fitted = {0.4, -318.0}, .held_out = {0.9, 11.0}};
     const TrialResult result = trial_result(1, diagnosis);
     EXPECT_EQ(result.retuned.rms_db, 0.4);
     EXPECT_EQ(result.held_out_retuned.log_likelihood_per_second, 11.0);
-    EXPECT_EQ(result.hidden_by_retuning, 0.99);
-    EXPECT_EQ(result.retuned_outside, std::vector<std::string>{"vehicle.bogie_mass_kg"});
     EXPECT_LT(result.bic_gain, 0.0) << "its parameter, for nothing";
 }
 

@@ -35,14 +35,10 @@ TEST(GivenUpBelief, IsHeldAgainstTheCaseThatKeepsIt) {
     const double gain = kHeldOut_s * (found.held_out_after.log_likelihood_per_second - found.held_out_retuned.log_likelihood_per_second);
     EXPECT_GT(gain, 10.0);
     EXPECT_NEAR(found.omitted.front().nats_held_out, gain, 1e-6 * gain) << "the table says what the sentence says";
-    EXPECT_LT(found.hidden_by_retuning, found.freely_retuned->hidden);
-
-    const RetunedNumber &kept = found.retuned_numbers.front(), &freely = found.freely_retuned->numbers.front(), &named = found.numbers.front();
-    EXPECT_NEAR(kept.tolerances_away, 2.0, 1e-9);
-    EXPECT_FALSE(kept.outside);
-    EXPECT_LE(kept.high, kept.believed * std::exp(0.2) * (1.0 + 1e-12)) << "an interval ends where the number may not go";
-    EXPECT_TRUE(freely.outside);
-    EXPECT_TRUE(named.outside);
+    EXPECT_GT(found.hidden_by_retuning, 0.99) << "calibration finds the value and hides that the belief was wrong";
+    EXPECT_TRUE(found.retuned_numbers.front().outside);
+    EXPECT_TRUE(found.numbers.front().outside);
+    EXPECT_FALSE(found.mismatch.empty()) << "bands that keep the belief from being right";
     const bool worse = std::any_of(found.channels.begin(), found.channels.end(), [](const ChannelComparison& own) {
         double retuned = 0.0, diagnosed = 0.0;
         for (const double db : own.band_retuned_db) retuned += db * db;
