@@ -105,8 +105,8 @@ std::string place_bars(const Diagnosis& diagnosis) {
         out += fmt::format(
             "<div class=\"bar\"><span>{}</span><span class=\"track\"><i class=\"hot\" "
             "style=\"width:{:.1f}%\"></i></span><span "
-            "class=\"number\">{}, {} nats</span></div>\n",
-            element_name(place.element), width, percent(place.probability), figure(place.nats));
+            "class=\"number\">{}{}</span></div>\n",
+            element_name(place.element), width, percent(place.probability), place.nats > 0.0 ? ", " + figure(place.nats) + " nats" : "");  // below 0 a free correction is worth nothing
     }
     return out;
 }

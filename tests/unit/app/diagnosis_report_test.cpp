@@ -62,6 +62,16 @@ TEST(DiagnosisReport, SaysWhereRetunedKeepsItsBeliefs) {
         EXPECT_NE(page.find(words), std::string::npos) << words;
 }
 
+// Of a wrong number the primary suspension had 97 % and, where retuning has left nothing, "-63 nats".
+TEST(DiagnosisReport, APlaceWithoutEvidenceOfItsOwnHasNoNats) {
+    Diagnosis diagnosis = testing::explained();
+    diagnosis.places = {{diagnosis::Element::primary, 0.97, -63.0}, {diagnosis::Element::pad, 0.01, 4.5}};
+    const std::string page = content(diagnosis);
+    EXPECT_NE(page.find(">97 %</span>"), std::string::npos);
+    EXPECT_EQ(page.find("-63"), std::string::npos);
+    EXPECT_NE(page.find(" %, 4.5 nats</span>"), std::string::npos);
+}
+
 TEST(DiagnosisReport, EveryClaimHasItsNumber) {
     const std::string page = content(testing::explained());
     for (const char* number : {"0.151",
