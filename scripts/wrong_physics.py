@@ -3,9 +3,10 @@
 
     scripts/wrong_physics.py build/release/railpem docs/proof/wrong_physics.csv --trials 1
 
-Recordings are those of hide_and_seek.py (three speeds, every number off within its tolerance). Each is diagnosed twice: with the whole catalogue, and without what was hidden (`--without`), so
-that the search brings the best that wrong physics can do: single effects, pairs, triples. Gains are nats of log-likelihood over retuning on the last quarter of every record. A wrong set is of
-equal freedom if it has no more parameters than what was hidden. Level of the irregularity and a wrong number are left out: retuning moves them, and the test `BeliefKept.TellsWhetherTheBeliefWasWrong` asks that.
+Recordings are those of hide_and_seek.py (three speeds, every number off within its tolerance). Each is diagnosed twice: with the whole catalogue, and without what was hidden (`--without`): what
+is said then (`verdict_without`), and what the sets that the search keeps gain, nats of log-likelihood over retuning on the last quarter of every record. A wrong set is of equal freedom if it has no more parameters than
+what was named. 0: nothing that was kept gains. What everything of equal freedom gains when it is fitted to its end is asked by tests/benchmark/wrong_physics.cpp. Level of the irregularity and a wrong number are left out:
+retuning moves them, and the test `BeliefKept.TellsWhetherTheBeliefWasWrong` asks that.
 """
 import argparse
 import csv

@@ -199,7 +199,7 @@ std::string score_json(const ProofScore& score, const std::vector<ScoredTrial>& 
         {"detectability", detectability_json(score)},
         {"wrong", wrong_json(trials)},
         {"not_scored",
-         {"held-out misfit removed by the best wrong physics: what competes with the right set is fitted only as far as it could win; scripts/wrong_physics.py asks it of recordings whose right effect the catalogue lacks",
+         {"held-out misfit removed by the best wrong physics: what competes with the right set is fitted only as far as it could win; tests/benchmark/wrong_physics.cpp fits it to its end",
           "controls with wrong physics of equal freedom, decoys and shuffled channels"}},
         {"settings", Json::parse(settings)},
         {"settings_fingerprint", fingerprint_text(settings)},
