@@ -139,20 +139,23 @@ class WritingUp {
         result_.omitted.push_back(std::move(named));
     }
 
-    /// What a member explains: against the best fitted set without it, or what the verdict is held against.
+    /// The best fitted set without a member, or what the verdict is held against. Beliefs are given up together: retuning has moved each of them in the others' place.
+    const FittedSet& without(std::size_t member, const FittedSet& best) const {
+        const FittedSet* found = &baseline_;
+        if (found_.kept) return *found;
+        const auto times = [&](const FittedSet& one) {
+            return std::count_if(one.effects.begin(), one.effects.end(), [&](const Candidate& own) { return same_variant(own.instance, best.effects[member].instance); });
+        };
+        for (const FittedSet& set : naming_.sets)
+            if (set.members() + 1 == best.members() && set.released == best.released && times(set) < times(best) && set.fit.log_likelihood > found->fit.log_likelihood) found = &set;
+        return *found;
+    }
+
+    /// What a member explains.
     void share_of(NamedEffect& named, std::size_t member, const Decision& decision) {
-        const FittedSet& best = *decision.named;
-        const FittedSet* without = &baseline_;
-        for (const FittedSet& set : naming_.sets) {
-            if (found_.kept) break;  // beliefs are given up together: retuning has moved each of them in the others' place
-            if (set.members() + 1 != best.members() || set.released != best.released) continue;
-            const auto times = [&](const FittedSet& one) {
-                return std::count_if(one.effects.begin(), one.effects.end(), [&](const Candidate& own) { return same_variant(own.instance, best.effects[member].instance); });
-            };
-            if (times(set) < times(best) && set.fit.log_likelihood > without->fit.log_likelihood) without = &set;
-        }
-        named.nats_fitted = best.fit.log_likelihood - without->fit.log_likelihood;
-        named.nats_held_out = best.held_out - without->held_out;
+        const FittedSet &best = *decision.named, &rest = without(member, best);
+        named.nats_fitted = best.fit.log_likelihood - rest.fit.log_likelihood;
+        named.nats_held_out = best.held_out - rest.held_out;
     }
 
     std::vector<RetunedNumber> numbers_of(const Fit& fit) const {

@@ -169,23 +169,29 @@ def line_of(effect, seed, options, truth, numbers, found):
         "retuned_rms_db": f'{fit.get("freely_retuned", fit["retuned"])["rms_db"]:.3g}'}
 
 
-def main():
-    options = arguments()
+def fill(options, columns, line_of_trial, said):
+    """Appends a line for every seed and effect that the table does not have yet; what a trial's program refuses is said and left out."""
+    names = [name for name in ("hidden", "seed", "speeds_m_per_s") if name in columns]
     done = set()
     if os.path.exists(options.table):
         with open(options.table) as file:
-            done = {(row["hidden"], row["seed"], row["speeds_m_per_s"]) for row in csv.DictReader(file)}
+            done = {tuple(row[name] for name in names) for row in csv.DictReader(file)}
     for seed in range(options.first_seed, options.first_seed + options.trials):
         for effect in options.effects:
-            if (effect, str(seed), " ".join(options.speeds)) in done:
+            if (effect, str(seed), " ".join(options.speeds))[:len(names)] in done:
                 continue
             try:
-                line = judged(options, effect, seed)
+                line = line_of_trial(options, effect, seed)
             except subprocess.CalledProcessError as error:
                 print(f"{effect} {seed}: {error.stderr.decode(errors='replace').strip()[:300]}", file=sys.stderr)
                 continue
-            append(options.table, COLUMNS, line)
-            print(line["hidden"], line["seed"], line["verdict"], line["named"], "right" if line["set_right"] else "WRONG", line["wall_s"], "s", flush=True)
+            append(options.table, columns, line)
+            print(*said(line), flush=True)
+
+
+def main():
+    fill(arguments(), COLUMNS, judged,
+         lambda line: (line["hidden"], line["seed"], line["verdict"], line["named"], "right" if line["set_right"] else "WRONG", line["wall_s"], "s"))
 
 
 if __name__ == "__main__":

@@ -98,7 +98,7 @@ TEST_F(BeliefKept, TellsWhetherTheBeliefWasWrong) {
     const Fit wrong = fit(other.trial, other.unknowns, other.start, made_.context());
     const double gain = named_.held_out - kept_.held_out, wrong_gain = part_log_likelihood(wrong, made_.context(), Part::held_out) - kept_.held_out;
     std::printf("unseen: %.1f nats by the number that is wrong, %.1f by another\n", gain, wrong_gain);
-    EXPECT_GT(gain, 20.0);
+    EXPECT_GT(gain, 20.0);  // where 1 is chance
     EXPECT_LT(wrong_gain, 0.1 * gain);
 }
 
@@ -107,7 +107,7 @@ TEST_F(BeliefKept, IsRetuningWhereNothingIsFarOff) {
     FittedSet mass = retuned_;  // the stiffness as far off as it is
     mass.released = {"vehicle.bogie_mass_kg"};
     const FittedSet same = *fit_belief_kept(made_.believed, retuned_.fit, mass, made_.context(), {});
-    EXPECT_NEAR(same.fit.log_likelihood, retuned_.fit.log_likelihood, 0.2);
+    EXPECT_NEAR(same.fit.log_likelihood, retuned_.fit.log_likelihood, 0.2);  // a fit ends where a step promises 0.1 (FitOptions::least_gain): two ends
     EXPECT_FALSE(outdoes_kept(retuned_, same));
 }
 
