@@ -81,7 +81,8 @@ Table<pem::CaseParameters> case_table() {
         .table("sleeper_passing", &C::sleeper_passing, "Excitation by the supports passing under the wheels",
                Table(pem::sleeper_passing_fields()))
         .table("decay_rate_reference", &C::decay_rate_reference,
-               "What this track was measured to have when the case was fitted to it, as `diagnose` writes it: decay rates of a later state are held against the "
+               "What this track was measured to have when the case was fitted to it, as `diagnose` writes it: decay "
+               "rates of a later state are held against the "
                "prediction times these ratios. Nothing but `diagnose` reads it",
                Table(pem::decay_rate_reference_fields()))
         .list("wheel_out_of_roundness", &C::wheel_out_of_roundness, "A wheel that is not round",

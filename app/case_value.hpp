@@ -10,8 +10,8 @@
 namespace railpem::app {
 
 /// The value of a key as the file and its options state it, before the effects of the case: "vehicle.payload_kg",
-/// "irregularity.band[2].exponent". The number of an element may be left out where a list has one. Nothing when the case
-/// has no such key.
+/// "irregularity.band[2].exponent". The number of an element may be left out where a list has one. Nothing when the
+/// case has no such key.
 std::optional<parameters::Value> case_value(const CaseFile& file, const std::string& key);
 
 /// Every key that has a value in this case, elements of lists stated, in the order of the schema.

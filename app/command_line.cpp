@@ -80,8 +80,10 @@ int run_verb(int argc, const char* const* argv) {
                      "railpem");
     Run run;
     program.set_version_flag("--version", "railpem " + program_version());
-    program.footer("railpem VERB --help says what a verb takes, with an example.\n"
-                   "Exit status: 0 done, 1 failed (memory, disk), 2 an input that was refused; the message says where and what is allowed.");
+    program.footer(
+        "railpem VERB --help says what a verb takes, with an example.\n"
+        "Exit status: 0 done, 1 failed (memory, disk), 2 an input that was refused; the message says where and what is "
+        "allowed.");
     program.require_subcommand(1);
     add_solve(program, run);
     add_static(program, run);

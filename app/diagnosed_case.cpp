@@ -44,14 +44,16 @@ std::string irregularity_text(const pem::CaseParameters& numbers) {
             for (const double side : {1.0 - kBesideEdge, 1.0 + kBesideEdge}) waves.insert(side / edge);
     std::string text = "cycles_per_m,psd_m3\n";
     for (const double n : waves)
-        if (const double psd = spectra::irregularity_psd_m3(broadband, n); psd > 0.0) text += fmt::format("{:.12g},{:.9g}\n", n, psd);
+        if (const double psd = spectra::irregularity_psd_m3(broadband, n); psd > 0.0)
+            text += fmt::format("{:.12g},{:.9g}\n", n, psd);
     return text;
 }
 
 std::string diagnosed_case_text(const diagnosis::Diagnosis& diagnosis) {
     pem::CaseParameters numbers = diagnosis.diagnosed_numbers;
     const Ends ends = ends_of(numbers.irregularity);
-    spectra::IrregularityBand table{.family = spectra::Family::table, .shortest_wavelength_m = ends.shortest, .longest_wavelength_m = ends.longest};
+    spectra::IrregularityBand table{
+        .family = spectra::Family::table, .shortest_wavelength_m = ends.shortest, .longest_wavelength_m = ends.longest};
     table.file = kDiagnosedIrregularity;
     numbers.irregularity.bands = {table};
     numbers.irregularity.level_db = numbers.irregularity.slope_db_per_octave = 0.0;

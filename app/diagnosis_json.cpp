@@ -28,10 +28,14 @@ Json parameters_json(const diagnosis::NamedEffect& effect) {
     for (const auto& [name, text] : effect.instance.choices) parameters[name] = choice_json(text);
     for (const diagnosis::FittedParameter& fitted : effect.parameters) {
         Json& own = parameters[fitted.name];
-        own = {{"value", or_null(fitted.value)}, {"low", or_null(fitted.low)}, {"high", or_null(fitted.high)}, {"unit", fitted.unit}};
+        own = {{"value", or_null(fitted.value)},
+               {"low", or_null(fitted.low)},
+               {"high", or_null(fitted.high)},
+               {"unit", fitted.unit}};
         if (fitted.by_recording.empty()) continue;
         own["nats_against_one_value"] = or_null(fitted.nats_against_one_value);
-        for (const diagnosis::RecordedValue& value : fitted.by_recording) own["by_recording"].push_back({{"recording", value.recording}, {"value", or_null(value.value)}});
+        for (const diagnosis::RecordedValue& value : fitted.by_recording)
+            own["by_recording"].push_back({{"recording", value.recording}, {"value", or_null(value.value)}});
     }
     return parameters;
 }

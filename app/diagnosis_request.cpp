@@ -36,14 +36,17 @@ struct LoadedRecordings {
     std::vector<bool> irregularity_measured;                  ///< per observation
     std::vector<recordings::MeasuredIrregularity> irregularity;
 
-    void add(const diagnosis::Observation& observation, std::vector<std::string> own_faults, std::vector<std::string> not_used) {
+    void add(const diagnosis::Observation& observation, std::vector<std::string> own_faults,
+             std::vector<std::string> not_used) {
         observations.push_back(observation);
         faults.push_back(std::move(own_faults));
         channels_not_used.push_back(std::move(not_used));
     }
 
     void append(LoadedRecordings other) {
-        const auto move_to = [](auto& from, auto& to) { to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end())); };
+        const auto move_to = [](auto& from, auto& to) {
+            to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
+        };
         move_to(other.observations, observations);
         move_to(other.faults, faults);
         move_to(other.channels_not_used, channels_not_used);
@@ -53,10 +56,12 @@ struct LoadedRecordings {
 };
 
 /// Channels of spectra that the case does not have.
-std::vector<std::string> unused_spectra(const recordings::Recording& recording, const diagnosis::Observation& observation) {
+std::vector<std::string> unused_spectra(const recordings::Recording& recording,
+                                        const diagnosis::Observation& observation) {
     std::vector<std::string> names;
     for (const recordings::ChannelSpectrum& spectrum : recording.spectra)
-        if (std::find(observation.channel_names.begin(), observation.channel_names.end(), spectrum.description.name) == observation.channel_names.end())
+        if (std::find(observation.channel_names.begin(), observation.channel_names.end(), spectrum.description.name) ==
+            observation.channel_names.end())
             names.push_back(spectrum.description.name);
     return names;
 }
@@ -67,37 +72,46 @@ void check_distinct(const DiagnosisRequest& request) {
     std::error_code ignored;
     for (const std::string& path : request.recordings)
         if (!seen.insert(std::filesystem::weakly_canonical(path, ignored).string()).second)
-            throw InputError(fmt::format("{}: the same recording twice would count its evidence twice\nallowed: each recording once", path));
+            throw InputError(fmt::format(
+                "{}: the same recording twice would count its evidence twice\nallowed: each recording once", path));
 }
 
 void check_without(const DiagnosisRequest& request) {
     std::vector<std::string> known;
     for (const diagnosis::Effect& effect : diagnosis::effects()) known.push_back(effect.id);
     for (const std::string& id : request.without) {
-        if (std::find(known.begin(), known.end(), id) == known.end()) throw unknown_name("--without", "effect", id, known);
+        if (std::find(known.begin(), known.end(), id) == known.end())
+            throw unknown_name("--without", "effect", id, known);
     }
 }
 
 /// A time series, one rail after the other where it has channels of both.
-void add_series(const recordings::Recording& recording, const RecordingFile& description, const std::string& path, const CaseFile& file, const diagnosis::BelievedCase& believed,
+void add_series(const recordings::Recording& recording, const RecordingFile& description, const std::string& path,
+                const CaseFile& file, const diagnosis::BelievedCase& believed,
                 const diagnosis::ObservationOptions& options, LoadedRecordings& loaded) {
     const std::vector<diagnosis::SideRecording> sides = diagnosis::one_rail_each(recording);
     std::vector<diagnosis::Observation> observations;
     std::vector<std::string> used;
     for (const diagnosis::SideRecording& side : sides) {
-        observations.push_back(reading_data(description, [&] { return diagnosis::observe(side.recording, description.name + side.suffix, believed.numbers, options); }));
+        observations.push_back(reading_data(description, [&] {
+            return diagnosis::observe(side.recording, description.name + side.suffix, believed.numbers, options);
+        }));
         used.insert(used.end(), observations.back().channel_names.begin(), observations.back().channel_names.end());
     }
-    const recordings::InspectionReport inspection = recordings::inspect(recording, inspection_beliefs(file, description));
+    const recordings::InspectionReport inspection =
+        recordings::inspect(recording, inspection_beliefs(file, description));
     std::vector<std::string> faults, not_used;
     for (const recordings::Fault& fault : inspection.faults) {
-        if (fault.severity != recordings::Severity::note) faults.push_back(fmt::format("{}{}{}", fmt::join(fault.channels, ", "), fault.channels.empty() ? "" : ": ", fault.says));
+        if (fault.severity != recordings::Severity::note)
+            faults.push_back(
+                fmt::format("{}{}{}", fmt::join(fault.channels, ", "), fault.channels.empty() ? "" : ": ", fault.says));
         // At another speed nothing lies where it is looked for, and no fit would come near.
         if (fault.kind == recordings::FaultKind::speed_mismatch && fault.severity == recordings::Severity::error)
             throw InputError(fmt::format("{}: {}\nallowed: the speed of the record, in m/s", path, fault.says));
     }
     for (const recordings::Channel& channel : recording.series.channels)
-        if (std::find(used.begin(), used.end(), channel.description.name) == used.end()) not_used.push_back(channel.description.name);
+        if (std::find(used.begin(), used.end(), channel.description.name) == used.end())
+            not_used.push_back(channel.description.name);
     for (const diagnosis::Observation& observation : observations) {
         loaded.irregularity_measured.push_back(recording.irregularity.brought());
         loaded.add(observation, faults, not_used);
@@ -118,14 +132,18 @@ std::vector<ReadRecording> read_recordings(const DiagnosisRequest& request) {
         RecordingFile description = read_recording(path);
         recordings::Recording recording = load_recording(description);
         if (!data_files.insert(std::filesystem::weakly_canonical(recording.file).string()).second)
-            throw InputError(fmt::format("{}: the same data file twice would count its evidence twice\nallowed: data of its own for each recording", path));
+            throw InputError(
+                fmt::format("{}: the same data file twice would count its evidence twice\nallowed: data of its own for "
+                            "each recording",
+                            path));
         read.push_back({path, std::move(description), std::move(recording)});
     }
     return read;
 }
 
 /// What a diagnosis needs of it; the samples are let go.
-LoadedRecordings loaded_from(ReadRecording& own, const DiagnosisRequest& request, const CaseFile& file, const diagnosis::BelievedCase& believed) {
+LoadedRecordings loaded_from(ReadRecording& own, const DiagnosisRequest& request, const CaseFile& file,
+                             const diagnosis::BelievedCase& believed) {
     LoadedRecordings loaded;
     if (own.recording.irregularity.brought()) loaded.irregularity.push_back(own.recording.irregularity);
     const diagnosis::ObservationOptions options{.window_s = request.window_s, .held_out_share = request.held_out};
@@ -135,14 +153,17 @@ LoadedRecordings loaded_from(ReadRecording& own, const DiagnosisRequest& request
         return loaded;
     }
     // Nothing to inspect: what it lacks is part of what the verdict rests on.
-    const auto observation = reading_data(own.description, [&] { return diagnosis::observe_scalars(own.recording, own.description.name, believed.numbers, options); });
+    const auto observation = reading_data(own.description, [&] {
+        return diagnosis::observe_scalars(own.recording, own.description.name, believed.numbers, options);
+    });
     loaded.irregularity_measured.push_back(own.recording.irregularity.brought());
     loaded.add(observation, {}, unused_spectra(own.recording, observation));
     return loaded;
 }
 
 /// Read one after the other, for not every library that reads is safe between threads; looked at side by side.
-LoadedRecordings load_recordings(const DiagnosisRequest& request, const CaseFile& file, const diagnosis::BelievedCase& believed) {
+LoadedRecordings load_recordings(const DiagnosisRequest& request, const CaseFile& file,
+                                 const diagnosis::BelievedCase& believed) {
     std::vector<ReadRecording> read = read_recordings(request);
     std::vector<LoadedRecordings> parts(read.size());
     std::vector<std::exception_ptr> failures(read.size());  // of each: the same one is reported whichever comes first
@@ -163,8 +184,8 @@ LoadedRecordings load_recordings(const DiagnosisRequest& request, const CaseFile
 
 }  // namespace
 
-diagnosis::Diagnosis run_diagnosis(const CaseFile& file, const DiagnosisRequest& request, const DiagnosisObserver& observer,
-                                   const std::function<void()>& ready) {
+diagnosis::Diagnosis run_diagnosis(const CaseFile& file, const DiagnosisRequest& request,
+                                   const DiagnosisObserver& observer, const std::function<void()>& ready) {
     check_distinct(request);
     check_without(request);
     diagnosis::BelievedCase believed = believed_case(file);

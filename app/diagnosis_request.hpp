@@ -28,10 +28,10 @@ struct DiagnosisObserver {
     std::function<bool()> interrupted;  ///< true ends the search with what is known
 };
 
-/// Reads the recordings and diagnoses the case. `ready` is called when all inputs are found right, before the long part.
-/// Throws InputError.
-diagnosis::Diagnosis run_diagnosis(const CaseFile& file, const DiagnosisRequest& request, const DiagnosisObserver& observer,
-                                   const std::function<void()>& ready);
+/// Reads the recordings and diagnoses the case. `ready` is called when all inputs are found right, before the long
+/// part. Throws InputError.
+diagnosis::Diagnosis run_diagnosis(const CaseFile& file, const DiagnosisRequest& request,
+                                   const DiagnosisObserver& observer, const std::function<void()>& ready);
 
 /// Puts diagnosis.json, the tables, the report and the diagnosed case into the folder. Not committed.
 void write_diagnosis(OutputFolder& folder, const diagnosis::Diagnosis& result, const DiagnosisRequest& request);

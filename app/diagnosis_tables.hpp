@@ -16,7 +16,8 @@ struct TextFile {
 /// The tables of a diagnosis as CSV. A value that does not exist is an empty cell.
 /// - <recording>.spectra.csv: frequency_hz, channel, then measured, low, high (90 % of the estimate), believed,
 /// retuned,
-///   diagnosed, each with _psd_m2_per_s4_per_hz (_receptance_m_per_n, _decay_rate_db_per_m of such recordings); a row per bin and channel
+///   diagnosed, each with _psd_m2_per_s4_per_hz (_receptance_m_per_n, _decay_rate_db_per_m of such recordings); a row
+///   per bin and channel
 /// - <recording>.bands.csv: centre_hz, channel, then believed, retuned, diagnosed with _level_difference_db: recording
 /// over
 ///   model in third octaves

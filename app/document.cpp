@@ -5,9 +5,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-// toml++ 3.3 asserts that a key begins with a letter where a broken file has something else, and says "unreachable" of the letters from
-// U+00A1 to U+0499 outside of a text, where its own tables mean "no white space". It reports an error right after either; as they stand,
-// they would end a debug build, and an optimiser may take them for true.
+// toml++ 3.3 asserts that a key begins with a letter where a broken file has something else, and says "unreachable" of
+// the letters from U+00A1 to U+0499 outside of a text, where its own tables mean "no white space". It reports an error
+// right after either; as they stand, they would end a debug build, and an optimiser may take them for true.
 #pragma push_macro("NDEBUG")
 #undef NDEBUG
 #define TOML_ASSERT(expression) static_assert(true)

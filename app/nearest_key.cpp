@@ -82,8 +82,12 @@ std::string did_you_mean(const std::string& unknown, const std::vector<std::stri
     return near.empty() ? "" : fmt::format("did you mean '{}'?", near);
 }
 
-InputError unknown_name(const std::string& option, const std::string& what, const std::string& name, const std::vector<std::string>& known) {
-    return input_error("", "", {.option = option}, {.what = fmt::format("unknown {} '{}'", what, name), .allowed = joined(known), .hint = did_you_mean(name, known)});
+InputError unknown_name(const std::string& option, const std::string& what, const std::string& name,
+                        const std::vector<std::string>& known) {
+    return input_error("", "", {.option = option},
+                       {.what = fmt::format("unknown {} '{}'", what, name),
+                        .allowed = joined(known),
+                        .hint = did_you_mean(name, known)});
 }
 
 }  // namespace railpem::app

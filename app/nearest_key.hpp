@@ -23,6 +23,7 @@ std::string nearest_key(const std::string& unknown, const std::vector<std::strin
 std::string did_you_mean(const std::string& unknown, const std::vector<std::string>& known);
 
 /// The refusal of a name in a command line: "--without: unknown effect 'body-bendin'", what is allowed, and the hint.
-InputError unknown_name(const std::string& option, const std::string& what, const std::string& name, const std::vector<std::string>& known);
+InputError unknown_name(const std::string& option, const std::string& what, const std::string& name,
+                        const std::vector<std::string>& known);
 
 }  // namespace railpem::app

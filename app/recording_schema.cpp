@@ -117,8 +117,9 @@ InputError refused_window(const std::string& description, const parameters::Para
 InputError refused(const recordings::ReadError& error, const std::string& description) {
     const std::string place = error.line() > 0 ? fmt::format("{}:{}", error.file(), error.line()) : error.file();
     const bool named = !description.empty() && description != error.file();
-    return InputError(fmt::format("{}: {}{}{}{}{}", place, error.problem(), error.allowed().empty() ? "" : "\nallowed: ", error.allowed(), named ? "\nnamed by: " : "",
-                                  named ? description : ""));
+    return InputError(fmt::format("{}: {}{}{}{}{}", place, error.problem(),
+                                  error.allowed().empty() ? "" : "\nallowed: ", error.allowed(),
+                                  named ? "\nnamed by: " : "", named ? description : ""));
 }
 
 std::string describe_recording() {

@@ -32,7 +32,8 @@ RecordingFile read_recording(const std::string& path);
 /// True when a file says by its keys that it describes a recording.
 bool is_recording(const Document& document);
 
-/// The message for a data file that cannot be read: "recording.csv:17: …", and the description that it was read for, if there is one.
+/// The message for a data file that cannot be read: "recording.csv:17: …", and the description that it was read for, if
+/// there is one.
 InputError refused(const recordings::ReadError& error, const std::string& description = "");
 
 /// The message for a recording that is too short, or too full of gaps, for the windows that were asked for.

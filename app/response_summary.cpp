@@ -40,11 +40,12 @@ Json comfort_summary(const ResponseSpectra& speed) {
         const auto weighted = spectra::weighted_rms_iso2631(speed.frequency_hz, psd);
         const auto vertical = spectra::vertical_comfort_en12299(speed.frequency_hz, psd);
         const auto sperling = spectra::sperling_index_vertical(speed.frequency_hz, psd);
-        comfort[where] = {{"weighted_rms_iso2631_m_per_s2", or_null(weighted)},
-                          {"weighted_rms_en12299_m_per_s2", vertical ? Json(vertical->weighted_rms_m_per_s2) : Json(nullptr)},
-                          {"percentile_95_en12299_m_per_s2", vertical ? Json(vertical->percentile_95_m_per_s2) : Json(nullptr)},
-                          {"mean_comfort_en12299", vertical ? Json(vertical->mean_comfort) : Json(nullptr)},
-                          {"sperling_index", or_null(sperling)}};
+        comfort[where] = {
+            {"weighted_rms_iso2631_m_per_s2", or_null(weighted)},
+            {"weighted_rms_en12299_m_per_s2", vertical ? Json(vertical->weighted_rms_m_per_s2) : Json(nullptr)},
+            {"percentile_95_en12299_m_per_s2", vertical ? Json(vertical->percentile_95_m_per_s2) : Json(nullptr)},
+            {"mean_comfort_en12299", vertical ? Json(vertical->mean_comfort) : Json(nullptr)},
+            {"sperling_index", or_null(sperling)}};
     }
     return comfort;
 }
@@ -56,12 +57,9 @@ Json speed_summary(const pem::CaseParameters& parameters, const ResponseSpectra&
         (name.quantity == pem::Quantity::acceleration ? accelerations : forces)[name.where] =
             response_summary(speed, response);
     }
-    return {{"speed_m_per_s", speed.speed_m_per_s},
-            {"irregularity", irregularity_summary(parameters, speed)},
-            {"acceleration", std::move(accelerations)},
-            {"force", std::move(forces)},
-            {"comfort", comfort_summary(speed)},
-            {"warnings", speed.warnings}};
+    return {{"speed_m_per_s", speed.speed_m_per_s},     {"irregularity", irregularity_summary(parameters, speed)},
+            {"acceleration", std::move(accelerations)}, {"force", std::move(forces)},
+            {"comfort", comfort_summary(speed)},        {"warnings", speed.warnings}};
 }
 
 }  // namespace

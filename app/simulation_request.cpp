@@ -26,9 +26,9 @@ simulate::MeasuredProfile read_profile(const std::string& path) {
             for (std::size_t i = 0; i < column.size(); ++i)
                 if (!std::isfinite(column[i]) || (&column == &table.columns[0] && i > 0 && column[i] <= column[i - 1]))
                     refuse_option("--profile " + path,
-                           fmt::format("value {} of {} is missing or out of order", i + 1,
-                                       table.names[&column == &table.columns[0] ? 0 : 1]),
-                           "increasing positions, every height known");
+                                  fmt::format("value {} of {} is missing or out of order", i + 1,
+                                              table.names[&column == &table.columns[0] ? 0 : 1]),
+                                  "increasing positions, every height known");
         return {table.columns[0], table.columns[1]};
     } catch (const recordings::ReadError& error) {
         throw refused(error);
@@ -61,26 +61,31 @@ void check_simulation(const SimulationRequest& request) {
     const auto within = [](double value, double low, double high) { return value >= low && value <= high; };
     if (!within(request.seconds, 0.0, kMostSeconds))
         refuse_option("--seconds", fmt::format("a record of {:g} s cannot be made", request.seconds),
-               fmt::format("greater than 0, at most {:g} s", kMostSeconds));
+                      fmt::format("greater than 0, at most {:g} s", kMostSeconds));
     for (const auto& [option, seed] :
          {std::pair("--seed", std::optional(request.seed)), std::pair("--profile-seed", request.profile_seed)})
-        if (seed && *seed < 0) refuse_option(option, fmt::format("cannot be {}", *seed), "a whole number of at least 0");
+        if (seed && *seed < 0)
+            refuse_option(option, fmt::format("cannot be {}", *seed), "a whole number of at least 0");
     if (!within(request.rate_hz, 0.0, kMostRate_hz))
         refuse_option("--rate", fmt::format("cannot be {:g} Hz", request.rate_hz),
-               fmt::format("greater than 0, at most {:g} Hz", kMostRate_hz));
+                      fmt::format("greater than 0, at most {:g} Hz", kMostRate_hz));
     if (request.seconds * request.rate_hz > kMostSamples)
-        refuse_option("--seconds", fmt::format("{:g} s at {:g} Hz are too many samples", request.seconds, request.rate_hz),
-               fmt::format("at most {:g} s at this rate", std::floor(kMostSamples / request.rate_hz)));
+        refuse_option("--seconds",
+                      fmt::format("{:g} s at {:g} Hz are too many samples", request.seconds, request.rate_hz),
+                      fmt::format("at most {:g} s at this rate", std::floor(kMostSamples / request.rate_hz)));
     if (request.speed && !(*request.speed > 0.0 && *request.speed <= 200.0))
         refuse_option("--speed", fmt::format("cannot be {:g} m/s", *request.speed), "greater than 0, at most 200 m/s");
     if (!within(request.noise, 0.0, 1000.0))
         refuse_option("--noise", fmt::format("cannot be {:g} m/s^2", request.noise), "between 0 and 1000 m/s^2");
     if (!within(request.speed_fluctuation, 0.0, 0.1))
-        refuse_option("--speed-fluctuation", fmt::format("cannot be {:g}", request.speed_fluctuation), "between 0 and 0.1");
+        refuse_option("--speed-fluctuation", fmt::format("cannot be {:g}", request.speed_fluctuation),
+                      "between 0 and 0.1");
     if (!within(request.profile_length_m, 0.0, 1e7))
-        refuse_option("--profile-length", fmt::format("cannot be {:g} m", request.profile_length_m), "between 0 and 1e7 m");
+        refuse_option("--profile-length", fmt::format("cannot be {:g} m", request.profile_length_m),
+                      "between 0 and 1e7 m");
     if (!request.profile.empty() && (request.profile_seed || request.profile_length_m > 0.0))
-        refuse_option("--profile", "a measured profile is not drawn", "--profile, or --profile-seed and --profile-length");
+        refuse_option("--profile", "a measured profile is not drawn",
+                      "--profile, or --profile-seed and --profile-length");
 }
 
 Truth planned_simulation(const CaseFile& file, const SimulationRequest& request) {
@@ -93,7 +98,8 @@ Truth planned_simulation(const CaseFile& file, const SimulationRequest& request)
             .options = simulation_options(request, with)};
 }
 
-simulate::Recording run_simulation(const CaseFile& file, const Truth& truth, const std::function<void(double, double)>& progress) {
+simulate::Recording run_simulation(const CaseFile& file, const Truth& truth,
+                                   const std::function<void(double, double)>& progress) {
     simulate::Options options = truth.options;
     options.progress = progress;
     try {

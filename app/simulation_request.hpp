@@ -36,6 +36,7 @@ void check_simulation(const SimulationRequest& request);
 Truth planned_simulation(const CaseFile& file, const SimulationRequest& request);
 
 /// Marches. `progress` is called about a hundred times; what it throws ends the march. Throws InputError.
-simulate::Recording run_simulation(const CaseFile& file, const Truth& truth, const std::function<void(double done_s, double total_s)>& progress);
+simulate::Recording run_simulation(const CaseFile& file, const Truth& truth,
+                                   const std::function<void(double done_s, double total_s)>& progress);
 
 }  // namespace railpem::app

@@ -36,17 +36,20 @@ constexpr std::size_t kMostParts = 65535;
 bool is_part(const std::string& name, const std::string& first) {
     if (!name.starts_with(first)) return false;
     const std::string rest = name.substr(first.size());
-    return rest.empty() || (rest.size() > 1 && rest[0] == '.' && rest.find_first_not_of("0123456789", 1) == std::string::npos);
+    return rest.empty() ||
+           (rest.size() > 1 && rest[0] == '.' && rest.find_first_not_of("0123456789", 1) == std::string::npos);
 }
 
 }  // namespace
 
-SweepProgressFile::SweepProgressFile(std::filesystem::path path, const std::string& identity, std::size_t cases, std::size_t rows, int rank)
+SweepProgressFile::SweepProgressFile(std::filesystem::path path, const std::string& identity, std::size_t cases,
+                                     std::size_t rows, int rank)
     : path_(std::move(path)), fingerprint_(fingerprint(identity)), rows_(rows), holder_(cases, 0) {
     open_own(rank == 0 ? path_ : std::filesystem::path(fmt::format("{}.{}", path_.string(), rank)));
     read_marks(0);
     open_others();
-    finished_at_start_ = static_cast<std::size_t>(std::count_if(holder_.begin(), holder_.end(), [](std::uint16_t holder) { return holder != 0; }));
+    finished_at_start_ = static_cast<std::size_t>(
+        std::count_if(holder_.begin(), holder_.end(), [](std::uint16_t holder) { return holder != 0; }));
 }
 
 SweepProgressFile::~SweepProgressFile() {
@@ -54,17 +57,22 @@ SweepProgressFile::~SweepProgressFile() {
 }
 
 void SweepProgressFile::refuse_other_sweep(const std::filesystem::path& path) const {
-    throw InputError(fmt::format("{}: holds the unfinished results of another sweep (or of another version of the case or the program)\n"
-                                 "allowed: the sweep that it belongs to; another --out; or delete the file", path.string()));
+    throw InputError(fmt::format(
+        "{}: holds the unfinished results of another sweep (or of another version of the case or the program)\n"
+        "allowed: the sweep that it belongs to; another --out; or delete the file",
+        path.string()));
 }
 
 void SweepProgressFile::open_own(const std::filesystem::path& path) {
     const int file = open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-    if (file < 0) throw InputError(fmt::format("{}: cannot be opened: {}\nallowed: a folder that can be written", path.string(), std::strerror(errno)));
+    if (file < 0)
+        throw InputError(fmt::format("{}: cannot be opened: {}\nallowed: a folder that can be written", path.string(),
+                                     std::strerror(errno)));
     parts_.push_back({path, file});
     const Header expected = header_of(fingerprint_, rows_);
     Header found{};
-    if (pread(file, &found, sizeof found, 0) < static_cast<ssize_t>(sizeof found)) {  // new, or killed before the header was out: nothing lost
+    // new, or killed before the header was out: nothing lost
+    if (pread(file, &found, sizeof found, 0) < static_cast<ssize_t>(sizeof found)) {
         if (pwrite(file, &expected, sizeof expected, 0) != static_cast<ssize_t>(sizeof expected))
             throw OutputError(fmt::format("{}: {}", path.string(), std::strerror(errno)));
         return;
@@ -77,13 +85,16 @@ void SweepProgressFile::open_others() {
     std::vector<std::filesystem::path> others;
     const std::filesystem::path folder = path_.has_parent_path() ? path_.parent_path() : std::filesystem::path(".");
     for (const auto& entry : std::filesystem::directory_iterator(folder))
-        if (is_part(entry.path().filename().string(), path_.filename().string()) && entry.path().filename() != parts_.front().path.filename())
+        if (is_part(entry.path().filename().string(), path_.filename().string()) &&
+            entry.path().filename() != parts_.front().path.filename())
             others.push_back(entry.path());
     std::sort(others.begin(), others.end());
     for (const std::filesystem::path& path : others) {
         if (parts_.size() == kMostParts) break;
         const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
-        if (file < 0) throw InputError(fmt::format("{}: cannot be opened: {}\nallowed: a file that can be read, or delete it", path.string(), std::strerror(errno)));
+        if (file < 0)
+            throw InputError(fmt::format("{}: cannot be opened: {}\nallowed: a file that can be read, or delete it",
+                                         path.string(), std::strerror(errno)));
         parts_.push_back({path, file});
         Header found{};
         if (pread(file, &found, sizeof found, 0) < static_cast<ssize_t>(sizeof found)) continue;
@@ -96,7 +107,8 @@ void SweepProgressFile::read_marks(std::size_t part) {
     for (std::size_t index = 0; index < holder_.size(); ++index) {
         double mark = 0.0;
         const off_t place = static_cast<off_t>(sizeof(Header) + ((index + 1) * (rows_ + 1) - 1) * sizeof(double));
-        if (pread(parts_[part].file, &mark, sizeof mark, place) != static_cast<ssize_t>(sizeof mark)) return;  // nothing lies behind the end
+        // nothing lies behind the end
+        if (pread(parts_[part].file, &mark, sizeof mark, place) != static_cast<ssize_t>(sizeof mark)) return;
         if (mark == static_cast<double>(index + 1)) holder_[index] = static_cast<std::uint16_t>(part + 1);
     }
 }
@@ -105,14 +117,17 @@ void SweepProgressFile::write(std::size_t index, const std::vector<double>& valu
     std::vector<double> record = values;
     record.push_back(static_cast<double>(index + 1));
     const std::size_t bytes = record.size() * sizeof(double);
-    if (pwrite(parts_.front().file, record.data(), bytes, static_cast<off_t>(sizeof(Header) + index * bytes)) != static_cast<ssize_t>(bytes))
-        throw OutputError(fmt::format("{}: {}; finished cases are kept, the same command goes on from there", parts_.front().path.string(), std::strerror(errno)));
+    if (pwrite(parts_.front().file, record.data(), bytes, static_cast<off_t>(sizeof(Header) + index * bytes)) !=
+        static_cast<ssize_t>(bytes))
+        throw OutputError(fmt::format("{}: {}; finished cases are kept, the same command goes on from there",
+                                      parts_.front().path.string(), std::strerror(errno)));
     holder_[index] = 1;
 }
 
 void SweepProgressFile::flush() const {
     if (fsync(parts_.front().file) != 0 && errno != EINVAL)  // EINVAL: no disk behind it
-        throw OutputError(fmt::format("{}: {}; finished cases are kept, the same command goes on from there", parts_.front().path.string(), std::strerror(errno)));
+        throw OutputError(fmt::format("{}: {}; finished cases are kept, the same command goes on from there",
+                                      parts_.front().path.string(), std::strerror(errno)));
 }
 
 void SweepProgressFile::gather() {
@@ -126,8 +141,10 @@ std::vector<double> SweepProgressFile::read(std::size_t first, std::size_t count
     for (std::size_t i = 0; i < count; ++i) {
         const std::size_t index = first + i, bytes = rows_ * sizeof(double);
         const off_t place = static_cast<off_t>(sizeof(Header) + index * (rows_ + 1) * sizeof(double));
-        if (holder_[index] == 0 || pread(parts_[holder_[index] - 1u].file, records.data() + i * rows_, bytes, place) != static_cast<ssize_t>(bytes))
-            throw OutputError(fmt::format("{}: case {} cannot be read back; the same command computes what is missing", path_.string(), index + 1));
+        if (holder_[index] == 0 || pread(parts_[holder_[index] - 1u].file, records.data() + i * rows_, bytes, place) !=
+                                       static_cast<ssize_t>(bytes))
+            throw OutputError(fmt::format("{}: case {} cannot be read back; the same command computes what is missing",
+                                          path_.string(), index + 1));
     }
     return records;
 }

@@ -7,16 +7,18 @@
 
 namespace railpem::app {
 
-/// The results of a sweep while it runs: one record of fixed length per case at its own place, closed by a mark, so that whatever ended
-/// the run, every marked record is a finished case and none is lost. A header ties the file to the sweep that made it. Processes that
-/// share a sweep write a file each, `path`, `path.1`, `path.2` …: what one of them has finished no other can damage, on any file system.
-/// All that are there count, whoever wrote them, so a sweep goes on with more processes, fewer, or one.
+/// The results of a sweep while it runs: one record of fixed length per case at its own place, closed by a mark, so
+/// that whatever ended the run, every marked record is a finished case and none is lost. A header ties the file to the
+/// sweep that made it. Processes that share a sweep write a file each, `path`, `path.1`, `path.2` …: what one of them
+/// has finished no other can damage, on any file system. All that are there count, whoever wrote them, so a sweep goes
+/// on with more processes, fewer, or one.
 class SweepProgressFile {
   public:
-    /// Opens or makes the file of process `rank` and reads what all files hold. `identity`: a text that is the same only for the same
-    /// sweep of the same program; `cases` records of `rows` numbers. Throws InputError when a file belongs to another sweep or cannot be
-    /// opened.
-    SweepProgressFile(std::filesystem::path path, const std::string& identity, std::size_t cases, std::size_t rows, int rank = 0);
+    /// Opens or makes the file of process `rank` and reads what all files hold. `identity`: a text that is the same
+    /// only for the same sweep of the same program; `cases` records of `rows` numbers. Throws InputError when a file
+    /// belongs to another sweep or cannot be opened.
+    SweepProgressFile(std::filesystem::path path, const std::string& identity, std::size_t cases, std::size_t rows,
+                      int rank = 0);
     ~SweepProgressFile();
     SweepProgressFile(const SweepProgressFile&) = delete;
     SweepProgressFile& operator=(const SweepProgressFile&) = delete;

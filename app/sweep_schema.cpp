@@ -28,10 +28,12 @@ Table<SweepDescription> sweep_table() {
         text(&S::title, "title", "one line that names the sweep"),
         text(&S::case_path, "case", "the case file, relative to the sweep file").required(),
         choice(&S::design, "design", {"grid", "list", "latin-hypercube"},
-               "grid: every combination, the last vary fastest; list: the n-th values together; latin-hypercube: samples spread evenly"),
+               "grid: every combination, the last vary fastest; list: the n-th values together; latin-hypercube: "
+               "samples spread evenly"),
         integer(&S::samples, "samples", between(0, 1e8), "number of cases of a Latin hypercube"),
         integer(&S::seed, "seed", between(0, 2147483647), "draws the Latin hypercube"),
-        choice(&S::format, "format", {"automatic", "csv", "hdf5"}, "the table; automatic: HDF5 where the CSV would exceed 100 MB"),
+        choice(&S::format, "format", {"automatic", "csv", "hdf5"},
+               "the table; automatic: HDF5 where the CSV would exceed 100 MB"),
     });
     table
         .list("vary", &S::vary, "A number of the case that varies; at least one",
@@ -43,18 +45,21 @@ Table<SweepDescription> sweep_table() {
                   integer(&V::count, "count", between(0, 1e7), "number of values from `from` to `to`, ends included"),
                   boolean(&V::logarithmic, "logarithmic", "equal ratios instead of equal steps"),
               }))
-        .list("keep", &S::keep, "What is kept of every case; at least one",
-              Table(Fields<K>{
-                  text(&K::response, "response", "body, body_front, …, wheel_1, rail_1, contact_1, trackbed").required(),
-                  choice(&K::quantity, "quantity", {"rms", "peak-level", "peak-frequency", "bands", "spectrum"},
-                         "bands: third-octave levels; spectrum: every frequency line"),
-              }));
+        .list(
+            "keep", &S::keep, "What is kept of every case; at least one",
+            Table(Fields<K>{
+                text(&K::response, "response", "body, body_front, …, wheel_1, rail_1, contact_1, trackbed").required(),
+                choice(&K::quantity, "quantity", {"rms", "peak-level", "peak-frequency", "bands", "spectrum"},
+                       "bands: third-octave levels; spectrum: every frequency line"),
+            }));
     return table;
 }
 
 constexpr const char* kSweepIntroduction =
-    "A sweep file is TOML. It names a case, the numbers of it that vary, and what is kept of every case. `railpem sweep` writes one\n"
-    "long table: the case number, the varied values, the speed, the quantity, the response, the frequency where there is one, and the\n"
+    "A sweep file is TOML. It names a case, the numbers of it that vary, and what is kept of every case. `railpem "
+    "sweep` writes one\n"
+    "long table: the case number, the varied values, the speed, the quantity, the response, the frequency where there "
+    "is one, and the\n"
     "value. This page is printed by `railpem describe sweep`.";
 
 const Node* list_element(const Document& document, const char* list, std::size_t index) {
@@ -63,7 +68,8 @@ const Node* list_element(const Document& document, const char* list, std::size_t
 }
 
 /// The message for something wrong in element `index` of a list, at one of its keys.
-InputError refused_in(const Document& document, const char* list, std::size_t index, const char* key, const Problem& problem) {
+InputError refused_in(const Document& document, const char* list, std::size_t index, const char* key,
+                      const Problem& problem) {
     const Node* element = list_element(document, list, index);
     const Entry* entry = element ? element->find(key) : nullptr;
     return document.error(entry ? entry->node.place : element ? element->place : Place{}, problem);
@@ -75,10 +81,12 @@ struct Varied {
 };
 
 /// The number of the case that a key means; speeds count as one number.
-Varied varied_number(const Document& document, std::size_t index, const std::string& key, const pem::CaseParameters& base) {
+Varied varied_number(const Document& document, std::size_t index, const std::string& key,
+                     const pem::CaseParameters& base) {
     if (key == kSpeeds) {
         Description description{.key = kSpeeds, .unit = "m/s", .range = {.low = 0.0, .high = 200.0, .low_open = true}};
-        return {description, [](pem::CaseParameters& parameters, double value) { parameters.running.speeds_m_per_s = {value}; }};
+        return {description,
+                [](pem::CaseParameters& parameters, double value) { parameters.running.speeds_m_per_s = {value}; }};
     }
     std::vector<std::string> known{kSpeeds};
     for (const CaseNumber& number : case_numbers(base)) {
@@ -87,7 +95,8 @@ Varied varied_number(const Document& document, std::size_t index, const std::str
         known.push_back(number.key);
     }
     throw refused_in(document, "vary", index, "key",
-                     {.what = fmt::format("the case has no number '{}'", key), .allowed = "a dotted key of a number; railpem describe case lists them",
+                     {.what = fmt::format("the case has no number '{}'", key),
+                      .allowed = "a dotted key of a number; railpem describe case lists them",
                       .hint = did_you_mean(key, known)});
 }
 
@@ -95,28 +104,40 @@ std::vector<double> stepped_values(const VarySection& vary) {
     std::vector<double> values;
     for (int i = 0; i < vary.count; ++i) {
         const double share = vary.count > 1 ? static_cast<double>(i) / (vary.count - 1) : 0.0;
-        values.push_back(vary.logarithmic ? vary.from * std::pow(vary.to / vary.from, share) : vary.from + share * (vary.to - vary.from));
+        values.push_back(vary.logarithmic ? vary.from * std::pow(vary.to / vary.from, share)
+                                          : vary.from + share * (vary.to - vary.from));
     }
     return values;
 }
 
-pem::SweepAxis read_axis(const Document& document, std::size_t index, const VarySection& vary, pem::Design design, const pem::CaseParameters& base) {
+pem::SweepAxis read_axis(const Document& document, std::size_t index, const VarySection& vary, pem::Design design,
+                         const pem::CaseParameters& base) {
     const Varied varied = varied_number(document, index, vary.key, base);
-    pem::SweepAxis axis{.key = vary.key, .set = varied.set, .values = vary.values, .low = vary.from, .high = vary.to, .logarithmic = vary.logarithmic};
+    pem::SweepAxis axis{.key = vary.key,
+                        .set = varied.set,
+                        .values = vary.values,
+                        .low = vary.from,
+                        .high = vary.to,
+                        .logarithmic = vary.logarithmic};
     const auto refuse = [&](const char* key, std::string what, std::string allowed) {
-        throw refused_in(document, "vary", index, key, {.what = std::move(what), .allowed = std::move(allowed), .hint = ""});
+        throw refused_in(document, "vary", index, key,
+                         {.what = std::move(what), .allowed = std::move(allowed), .hint = ""});
     };
-    if (vary.logarithmic && (vary.from <= 0.0 || vary.to <= 0.0)) refuse("from", "equal ratios need ends greater than 0", "from and to greater than 0");
+    if (vary.logarithmic && (vary.from <= 0.0 || vary.to <= 0.0))
+        refuse("from", "equal ratios need ends greater than 0", "from and to greater than 0");
     if (design == pem::Design::latin_hypercube) {
-        if (!(vary.from < vary.to)) refuse("from", fmt::format("the range of '{}' is empty", vary.key), "from less than to");
+        if (!(vary.from < vary.to))
+            refuse("from", fmt::format("the range of '{}' is empty", vary.key), "from less than to");
         axis.values = {vary.from, vary.to};  // the ends are what has to be allowed
     } else if (vary.values.empty()) {
         axis.values = stepped_values(vary);
-        if (axis.values.empty()) refuse("key", fmt::format("no values for '{}'", vary.key), "values, or from, to and count");
+        if (axis.values.empty())
+            refuse("key", fmt::format("no values for '{}'", vary.key), "values, or from, to and count");
     }
     for (const double value : axis.values)
         if (!varied.description.range.contains(value))
-            refuse(vary.values.empty() ? "from" : "values", fmt::format("'{}' cannot be {:g}", vary.key, value), allowed_text(varied.description));
+            refuse(vary.values.empty() ? "from" : "values", fmt::format("'{}' cannot be {:g}", vary.key, value),
+                   allowed_text(varied.description));
     if (design == pem::Design::latin_hypercube) axis.values.clear();
     return axis;
 }
@@ -126,10 +147,12 @@ pem::BandRule band_rule(const pem::CaseParameters& base) {
     const std::vector<double> lines = pem::frequency_lines(base.frequency);
     const std::vector<double> flat(lines.size(), 1.0);
     if (lines.size() > 1)
-        for (const spectra::ThirdOctaveLevel& level : spectra::third_octave_levels(lines, flat)) rule.centre_hz.push_back(level.band.nominal_hz);
+        for (const spectra::ThirdOctaveLevel& level : spectra::third_octave_levels(lines, flat))
+            rule.centre_hz.push_back(level.band.nominal_hz);
     rule.levels = [](const std::vector<double>& frequency, const std::vector<double>& psd) {
         std::vector<double> levels;
-        for (const spectra::ThirdOctaveLevel& level : spectra::third_octave_levels(frequency, psd)) levels.push_back(level.level_db);
+        for (const spectra::ThirdOctaveLevel& level : spectra::third_octave_levels(frequency, psd))
+            levels.push_back(level.level_db);
         return levels;
     };
     return rule;
@@ -143,7 +166,8 @@ std::vector<pem::SweepQuantity> read_quantities(const Document& document, const 
         const KeepSection& keep = description.keep[i];
         if (std::find(known.begin(), known.end(), keep.response) == known.end()) {
             throw refused_in(document, "keep", i, "response",
-                             {.what = fmt::format("there is no response '{}'", keep.response), .allowed = joined(known),
+                             {.what = fmt::format("there is no response '{}'", keep.response),
+                              .allowed = joined(known),
                               .hint = did_you_mean(keep.response, known)});
         }
         quantities.push_back({keep.response, keep.quantity});
@@ -154,20 +178,25 @@ std::vector<pem::SweepQuantity> read_quantities(const Document& document, const 
 void check_design(const Document& document, const SweepFile& sweep) {
     const auto refuse = [&](const std::string& key, std::string what, std::string allowed) {
         const Entry* entry = document.root.find(key);
-        throw document.error(entry ? entry->place : Place{}, {.what = std::move(what), .allowed = std::move(allowed), .hint = ""});
+        throw document.error(entry ? entry->place : Place{},
+                             {.what = std::move(what), .allowed = std::move(allowed), .hint = ""});
     };
     const SweepDescription& description = sweep.description;
     if (description.vary.empty()) refuse("vary", "nothing varies", "at least one [[vary]]");
     if (description.keep.empty()) refuse("keep", "nothing is kept", "at least one [[keep]]");
-    if (description.design == pem::Design::latin_hypercube && description.samples < 1) refuse("samples", "a Latin hypercube without samples", "samples of at least 1");
+    if (description.design == pem::Design::latin_hypercube && description.samples < 1)
+        refuse("samples", "a Latin hypercube without samples", "samples of at least 1");
     double cases = 1.0;
     for (const pem::SweepAxis& axis : sweep.plan.axes) {
         cases *= static_cast<double>(std::max<std::size_t>(1, axis.values.size()));
         if (description.design == pem::Design::list && axis.values.size() != sweep.plan.axes.front().values.size())
-            refuse("vary", fmt::format("'{}' has {} values and '{}' has {}", axis.key, axis.values.size(), sweep.plan.axes.front().key,
-                                       sweep.plan.axes.front().values.size()), "lists of the same length");
+            refuse("vary",
+                   fmt::format("'{}' has {} values and '{}' has {}", axis.key, axis.values.size(),
+                               sweep.plan.axes.front().key, sweep.plan.axes.front().values.size()),
+                   "lists of the same length");
     }
-    if (description.design == pem::Design::grid && cases > kMostCases) refuse("vary", fmt::format("{:g} combinations", cases), fmt::format("at most {:g}", kMostCases));
+    if (description.design == pem::Design::grid && cases > kMostCases)
+        refuse("vary", fmt::format("{:g} combinations", cases), fmt::format("at most {:g}", kMostCases));
 }
 
 /// Every combination must be a possible case, and none may change the number of lines or speeds.
@@ -178,18 +207,22 @@ void check_combinations(const Document& document, const SweepFile& sweep) {
         const auto combination = [&] {
             std::string list;
             const std::vector<double> values = pem::sweep_values(sweep.plan, index);
-            for (std::size_t axis = 0; axis < values.size(); ++axis) list += fmt::format("{}{} = {:g}", axis > 0 ? ", " : "", sweep.plan.axes[axis].key, values[axis]);
+            for (std::size_t axis = 0; axis < values.size(); ++axis)
+                list += fmt::format("{}{} = {:g}", axis > 0 ? ", " : "", sweep.plan.axes[axis].key, values[axis]);
             return list;
         };
         const pem::CaseParameters parameters = pem::sweep_case(sweep.plan, index);
         try {
             pem::check(parameters);
             if (pem::frequency_lines(parameters.frequency).size() != lines)
-                throw ParameterError("frequency", "the number of frequency lines would change within the sweep", "keys that leave the grid as it is");
+                throw ParameterError("frequency", "the number of frequency lines would change within the sweep",
+                                     "keys that leave the grid as it is");
         } catch (const ParameterError& error) {
             throw refused_in(document, "vary", 0, "key",
-                             {.what = fmt::format("case {} ({}) cannot be: {}: {}", index + 1, combination(), error.key(), error.problem()),
-                              .allowed = error.allowed(), .hint = ""});
+                             {.what = fmt::format("case {} ({}) cannot be: {}: {}", index + 1, combination(),
+                                                  error.key(), error.problem()),
+                              .allowed = error.allowed(),
+                              .hint = ""});
         }
     }
 }
@@ -210,7 +243,9 @@ namespace {
 
 /// The plan of a description that was read from `document`, over `base`.
 SweepFile planned(const Document& document, SweepDescription description, const pem::CaseParameters& base) {
-    SweepFile sweep{.name = std::filesystem::path(document.name).stem().string(), .description = std::move(description), .plan = {}};
+    SweepFile sweep{.name = std::filesystem::path(document.name).stem().string(),
+                    .description = std::move(description),
+                    .plan = {}};
     pem::SweepPlan& plan = sweep.plan;
     plan.base = base;
     plan.design = sweep.description.design;
@@ -237,7 +272,8 @@ SweepFile read_sweep(const std::string& path, const std::vector<std::string>& op
     if (!std::filesystem::exists(case_path)) {
         const Entry* entry = document.root.find("case");
         throw document.error(entry->node.place, {.what = fmt::format("there is no case file '{}'", case_path.string()),
-                                                 .allowed = "a path relative to the sweep file", .hint = ""});
+                                                 .allowed = "a path relative to the sweep file",
+                                                 .hint = ""});
     }
     return planned(document, std::move(description), read_case(case_path.string(), options).parameters);
 }

@@ -50,12 +50,13 @@ struct SweepFile {
     pem::SweepPlan plan;
 };
 
-/// Reads a sweep and its case (with options `--set` applied to it), and checks every combination of the varied values before anything runs. Throws InputError that
-/// names the file, the line and, where a combination is impossible, the combination.
+/// Reads a sweep and its case (with options `--set` applied to it), and checks every combination of the varied values
+/// before anything runs. Throws InputError that names the file, the line and, where a combination is impossible, the
+/// combination.
 SweepFile read_sweep(const std::string& path, const std::vector<std::string>& options);
 
-/// The same for a text that is already there, called `name` in messages, over a case that is already read: what the text says under
-/// `case` is not opened.
+/// The same for a text that is already there, called `name` in messages, over a case that is already read: what the
+/// text says under `case` is not opened.
 SweepFile parse_sweep(const std::string& name, const std::string& text, const pem::CaseParameters& base);
 
 }  // namespace railpem::app

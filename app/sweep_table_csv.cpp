@@ -1,5 +1,5 @@
-#include <charconv>
 #include <cerrno>
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
@@ -55,7 +55,8 @@ std::string header(const pem::SweepPlan& plan) {
 /// A file under a temporary name that vanishes unless it is finished.
 class Temporary {
   public:
-    explicit Temporary(const std::filesystem::path& final_name) : final_(final_name), path_(final_name.string() + ".writing") {
+    explicit Temporary(const std::filesystem::path& final_name)
+        : final_(final_name), path_(final_name.string() + ".writing") {
         file_ = std::fopen(path_.c_str(), "wb");
         if (!file_) fail();
     }

@@ -54,8 +54,9 @@ void add_compare(CLI::App& program, Run& run) {
         "compare",
         "what changes from one case to another, third-octaves in dB, positive where the second has more: "
         "DIR/<case1>-<case2>.compare.csv and .compare.json");
-    verb->footer("Example:\n"
-                 "  railpem compare cases/wei2016/case1.toml cases/wei2016/case2.toml --out out");
+    verb->footer(
+        "Example:\n"
+        "  railpem compare cases/wei2016/case1.toml cases/wei2016/case2.toml --out out");
     verb->add_option("CASE", request->cases, "two case files")->required()->expected(2);
     verb->add_option("--out", request->folder, "folder for the results")->required()->type_name("DIR");
     verb->add_option("--threads", request->threads, "threads; without it as many as the machine has")

@@ -16,11 +16,10 @@ namespace railpem::app {
 namespace {
 
 const std::map<std::string, std::string (*)()>& pages() {
-    static const std::map<std::string, std::string (*)()> all = {
-        {"case", describe_case},
-        {"effects", diagnosis::describe_effects},
-        {"recording", describe_recording},
-        {"sweep", describe_sweep}};
+    static const std::map<std::string, std::string (*)()> all = {{"case", describe_case},
+                                                                 {"effects", diagnosis::describe_effects},
+                                                                 {"recording", describe_recording},
+                                                                 {"sweep", describe_sweep}};
     return all;
 }
 
@@ -30,7 +29,9 @@ int describe(const std::string& subject) {
         std::vector<std::string> names;
         for (const auto& [name, unused] : pages()) names.push_back(name);
         throw input_error("", "", {.option = "railpem describe"},
-                          {.what = fmt::format("no page about '{}'", subject), .allowed = joined(names), .hint = did_you_mean(subject, names)});
+                          {.what = fmt::format("no page about '{}'", subject),
+                           .allowed = joined(names),
+                           .hint = did_you_mean(subject, names)});
     }
     std::fputs(page->second().c_str(), stdout);
     return 0;
@@ -41,8 +42,9 @@ int describe(const std::string& subject) {
 void add_describe(CLI::App& program, Run& run) {
     const auto subject = std::make_shared<std::string>();
     CLI::App* verb = program.add_subcommand("describe", "print the reference page of an input file");
-    verb->footer("Example:\n"
-                 "  railpem describe effects");
+    verb->footer(
+        "Example:\n"
+        "  railpem describe effects");
     verb->add_option("SUBJECT", *subject, "case, effects, recording or sweep")->required();
     verb->callback([subject, &run] { run = [subject] { return describe(*subject); }; });
 }

@@ -106,9 +106,10 @@ void add_inspect(CLI::App& program, Run& run) {
     const auto request = std::make_shared<InspectRequest>();
     CLI::App* verb =
         program.add_subcommand("inspect", "what recordings hold, and whether they can be trusted: a screen of text");
-    verb->footer("Examples:\n"
-                 "  railpem inspect run1 --html run1.html\n"
-                 "  railpem inspect run1 --case case.toml");
+    verb->footer(
+        "Examples:\n"
+        "  railpem inspect run1 --html run1.html\n"
+        "  railpem inspect run1 --case case.toml");
     verb->add_option("RECORDING", request->recordings, "recordings: folders with a recording.toml, or descriptions")
         ->required();
     verb->add_flag("--json", request->json,

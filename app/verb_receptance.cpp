@@ -65,8 +65,9 @@ void add_receptance(CLI::App& program, Run& run) {
     const auto request = std::make_shared<ReceptanceRequest>();
     CLI::App* verb = program.add_subcommand(
         "receptance", "the track without a vehicle, at rest: DIR/<case>.receptance.csv and DIR/<case>.decay.csv");
-    verb->footer("Example:\n"
-                 "  railpem receptance cases/wei2016/case1.toml --out out");
+    verb->footer(
+        "Example:\n"
+        "  railpem receptance cases/wei2016/case1.toml --out out");
     verb->add_option("CASE", request->path, "case file")->required();
     verb->add_option("--out", request->folder, "folder for the results")->required()->type_name("DIR");
     verb->add_option("--from", request->from_hz, "first frequency, Hz (20)")

@@ -27,7 +27,8 @@ struct SimulateRequest {
 };
 
 void require(bool given, const std::string& option, const std::string& allowed) {
-    if (!given) refuse_option("railpem simulate", option + " is required", allowed + "; railpem simulate --help says more");
+    if (!given)
+        refuse_option("railpem simulate", option + " is required", allowed + "; railpem simulate --help says more");
 }
 
 simulate::Recording run_with_bar(const CaseFile& file, const Truth& truth) {
@@ -105,11 +106,14 @@ void add_simulate(CLI::App& program, Run& run) {
     CLI::App* verb = program.add_subcommand(
         "simulate",
         "a recording marched in time, with or without hidden effects: DIR/recording.toml and DIR/recording.csv");
-    verb->footer("Examples:\n"
-                 "  railpem simulate --list\n"
-                 "  railpem simulate case.toml --seconds 60 --seed 1 --out run1 --truth run1.json --hide pad-frequency-stiffening:exponent=0.15");
+    verb->footer(
+        "Examples:\n"
+        "  railpem simulate --list\n"
+        "  railpem simulate case.toml --seconds 60 --seed 1 --out run1 --truth run1.json --hide "
+        "pad-frequency-stiffening:exponent=0.15");
     verb->add_option("CASE", request->simulation.path, "case file");
-    verb->add_option("--hide", request->simulation.hide, "conceal an effect in it: EFFECT[:parameter=value,…]; may be repeated")
+    verb->add_option("--hide", request->simulation.hide,
+                     "conceal an effect in it: EFFECT[:parameter=value,…]; may be repeated")
         ->type_name("EFFECT")
         ->allow_extra_args(false);
     verb->add_option("--seconds", request->seconds, "length of the record in s; required")->type_name("T");
@@ -129,11 +133,13 @@ void add_simulate(CLI::App& program, Run& run) {
         ->type_name("FORMAT");
     verb->add_flag("--standing", request->simulation.standing,
                    "the wheels stand and the irregularity is pulled through under them");
-    verb->add_option("--speed", request->simulation.speed, "speed in m/s; without it the first of the case")->type_name("M_PER_S");
+    verb->add_option("--speed", request->simulation.speed, "speed in m/s; without it the first of the case")
+        ->type_name("M_PER_S");
     verb->add_option("--speed-fluctuation", request->simulation.speed_fluctuation,
                      "relative standard deviation of a slow wander of the speed")
         ->type_name("R");
-    verb->add_option("--noise", request->simulation.noise, "white noise of every channel, rms in m/s^2")->type_name("RMS");
+    verb->add_option("--noise", request->simulation.noise, "white noise of every channel, rms in m/s^2")
+        ->type_name("RMS");
     add_profile_options(*verb, *request);
     verb->add_option("--set", request->simulation.set, "override a key of the case: key=value")
         ->type_name("KEY=VALUE")

@@ -57,9 +57,10 @@ void add_solve(CLI::App& program, Run& run) {
     const auto request = std::make_shared<SolveRequest>();
     CLI::App* verb =
         program.add_subcommand("solve", "spectra of every response: DIR/<case>.psd.csv and DIR/<case>.summary.json");
-    verb->footer("Examples:\n"
-                 "  railpem solve cases/wei2016/case1.toml cases/wei2016/case3.toml --out out\n"
-                 "  railpem solve case.toml --out out --set track.pads.exponent=0.15");
+    verb->footer(
+        "Examples:\n"
+        "  railpem solve cases/wei2016/case1.toml cases/wei2016/case3.toml --out out\n"
+        "  railpem solve case.toml --out out --set track.pads.exponent=0.15");
     verb->add_option("CASE", request->cases, "case files")->required();
     verb->add_option("--out", request->folder, "folder for the results")->required()->type_name("DIR");
     verb->add_flag("--bands", request->bands, "also DIR/<case>.bands.csv: third-octave levels");

@@ -43,8 +43,9 @@ void add_static(CLI::App& program, Run& run) {
     const auto request = std::make_shared<StaticRequest>();
     CLI::App* verb = program.add_subcommand(
         "static", "compression and stiffness of every pad under the standing vehicle: DIR/<case>.static.csv");
-    verb->footer("Example:\n"
-                 "  railpem static cases/wei2016/case3.toml --out out");
+    verb->footer(
+        "Example:\n"
+        "  railpem static cases/wei2016/case3.toml --out out");
     verb->add_option("CASE", request->path, "case file")->required();
     verb->add_option("--out", request->folder, "folder for the results")->required()->type_name("DIR");
     verb->add_option("--set", request->options, "override a key of the case: key=value")

@@ -38,7 +38,8 @@ std::string identity(const SweepFile& sweep) {
         for (const double value : axis.values) text += fmt::format(" {}", value);
         text += '\n';
     }
-    for (const pem::SweepQuantity& quantity : sweep.plan.quantities) text += fmt::format("{} {}\n", quantity.response, static_cast<int>(quantity.kind));
+    for (const pem::SweepQuantity& quantity : sweep.plan.quantities)
+        text += fmt::format("{} {}\n", quantity.response, static_cast<int>(quantity.kind));
     return text;
 }
 
@@ -59,11 +60,13 @@ void run_cases(const SweepRequest& request, const SweepFile& file, ranks::Crew& 
         results.write(index, values);
         const std::size_t now = ++done;
         // The first process knows what the others have been given; it draws the bar of all.
-        if (const std::unique_lock lock(drawing, std::try_to_lock); lock && crew.rank() == 0) bar.show(crew.size() > 1 ? dispenser->given() : now, cases);
+        if (const std::unique_lock lock(drawing, std::try_to_lock); lock && crew.rank() == 0)
+            bar.show(crew.size() > 1 ? dispenser->given() : now, cases);
     };
-    pem::run_sweep(file.plan, request.threads, {.finished = [&](std::size_t index) { return results.finished(index); },
-                                                .done = keep,
-                                                .next = [&] { return dispenser->next(); }});
+    pem::run_sweep(file.plan, request.threads,
+                   {.finished = [&](std::size_t index) { return results.finished(index); },
+                    .done = keep,
+                    .next = [&] { return dispenser->next(); }});
 }
 
 void write_sweep_table(const SweepRequest& request, const SweepFile& file, const SweepProgressFile& results) {
@@ -83,7 +86,8 @@ int sweep(const SweepRequest& request) {
         file = read_sweep(request.sweep, request.options);
         const std::filesystem::path folder = request.folder;
         OutputFolder(folder).commit();  // refuses what cannot be written
-        results.emplace(folder / (file->name + ".unfinished"), identity(*file), pem::sweep_size(file->plan), pem::sweep_rows(file->plan).size(), crew->rank());
+        results.emplace(folder / (file->name + ".unfinished"), identity(*file), pem::sweep_size(file->plan),
+                        pem::sweep_rows(file->plan).size(), crew->rank());
     });
     run_cases(request, *file, *crew, *results);
     results->flush();
@@ -99,14 +103,22 @@ int sweep(const SweepRequest& request) {
 
 void add_sweep(CLI::App& program, Run& run) {
     const auto request = std::make_shared<SweepRequest>();
-    CLI::App* verb = program.add_subcommand("sweep", "many cases: DIR/<sweep>.csv, one long table; goes on where it was interrupted");
-    verb->footer("Example:\n"
-                 "  railpem sweep cases/wei2016/pads.sweep.toml --out out");
+    CLI::App* verb = program.add_subcommand(
+        "sweep", "many cases: DIR/<sweep>.csv, one long table; goes on where it was interrupted");
+    verb->footer(
+        "Example:\n"
+        "  railpem sweep cases/wei2016/pads.sweep.toml --out out");
     verb->add_option("SWEEP", request->sweep, "sweep file")->required();
     verb->add_option("--out", request->folder, "folder for the results")->required()->type_name("DIR");
-    verb->add_option("--format", request->format, "csv or hdf5; without it as the sweep file says, else HDF5 beyond 100 MB")->check(CLI::IsMember({"csv", "hdf5"}));
-    verb->add_option("--threads", request->threads, "threads; without it as many as the machine has")->check(CLI::Range(1, 1024))->type_name("N");
-    verb->add_option("--set", request->options, "override a key of the case: key=value")->type_name("KEY=VALUE")->allow_extra_args(false);
+    verb->add_option("--format", request->format,
+                     "csv or hdf5; without it as the sweep file says, else HDF5 beyond 100 MB")
+        ->check(CLI::IsMember({"csv", "hdf5"}));
+    verb->add_option("--threads", request->threads, "threads; without it as many as the machine has")
+        ->check(CLI::Range(1, 1024))
+        ->type_name("N");
+    verb->add_option("--set", request->options, "override a key of the case: key=value")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
     verb->callback([request, &run] { run = [request] { return sweep(*request); }; });
 }
 

@@ -56,8 +56,9 @@ int validate(const std::string& path) {
 void add_validate(CLI::App& program, Run& run) {
     const auto path = std::make_shared<std::string>();
     CLI::App* verb = program.add_subcommand("validate", "say whether an input file is right, or where it is wrong");
-    verb->footer("Example:\n"
-                 "  railpem validate case.toml");
+    verb->footer(
+        "Example:\n"
+        "  railpem validate case.toml");
     verb->add_option("FILE", *path, "a case, a sweep, or a recording (its description or its folder)")->required();
     verb->callback([path, &run] { run = [path] { return validate(*path); }; });
 }

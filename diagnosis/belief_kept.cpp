@@ -8,9 +8,14 @@ namespace railpem::diagnosis {
 namespace {
 
 /// The unknowns by which retuning moves what an effect says.
-UnknownKind moved_by_retuning(const Effect& effect) { return effect.lines_alone ? UnknownKind::passing : UnknownKind::irregularity; }
+UnknownKind moved_by_retuning(const Effect& effect) {
+    return effect.lines_alone ? UnknownKind::passing : UnknownKind::irregularity;
+}
 
-bool is_believed(const Unknown& unknown) { return unknown.kind == UnknownKind::number || unknown.kind == UnknownKind::irregularity || unknown.kind == UnknownKind::passing; }
+bool is_believed(const Unknown& unknown) {
+    return unknown.kind == UnknownKind::number || unknown.kind == UnknownKind::irregularity ||
+           unknown.kind == UnknownKind::passing;
+}
 
 double distance_in(const Fit& fit, const Unknown& unknown) {
     std::size_t index = 0;
@@ -20,7 +25,8 @@ double distance_in(const Fit& fit, const Unknown& unknown) {
 }  // namespace
 
 bool gives_up(const FittedSet& set, const Unknown& unknown) {
-    if (unknown.kind == UnknownKind::number) return std::find(set.released.begin(), set.released.end(), unknown.name) != set.released.end();
+    if (unknown.kind == UnknownKind::number)
+        return std::find(set.released.begin(), set.released.end(), unknown.name) != set.released.end();
     return std::any_of(set.effects.begin(), set.effects.end(), [&](const Candidate& member) {
         const Effect& effect = *find_effect(member.instance.effect);
         return effect.retuned && moved_by_retuning(effect) == unknown.kind;
@@ -34,11 +40,13 @@ Unknown kept(Unknown unknown, double reach) {
     return unknown;
 }
 
-std::optional<FittedSet> fit_belief_kept(const BelievedCase& believed, const Fit& retuned, const FittedSet& set, const LikelihoodContext& context, const FitOptions& options) {
+std::optional<FittedSet> fit_belief_kept(const BelievedCase& believed, const Fit& retuned, const FittedSet& set,
+                                         const LikelihoodContext& context, const FitOptions& options) {
     Supposition own = suppose(believed, retuned, {}, {}, {}, context);
     for (std::size_t u = 0; u < own.unknowns.size(); ++u) {
         if (!is_believed(own.unknowns[u])) continue;
-        own.unknowns[u] = kept(own.unknowns[u], gives_up(set, own.unknowns[u]) ? 0.0 : distance_in(set.fit, own.unknowns[u]));
+        own.unknowns[u] =
+            kept(own.unknowns[u], gives_up(set, own.unknowns[u]) ? 0.0 : distance_in(set.fit, own.unknowns[u]));
         own.start[u] = std::clamp(own.start[u], own.unknowns[u].low, own.unknowns[u].high);
     }
     FittedSet result;

@@ -28,7 +28,8 @@ struct BelievedCase {
     std::vector<EffectInstance> effects;  ///< stated by the case
     ParameterAccess access;
     std::vector<BelievedNumber> uncertain;  ///< those with a tolerance
-    std::vector<recordings::MeasuredIrregularity> measured_irregularity;  ///< of the section that was run over, where recordings bring one
+    /// of the section that was run over, where recordings bring one
+    std::vector<recordings::MeasuredIrregularity> measured_irregularity;
 };
 
 }  // namespace railpem::diagnosis

@@ -5,18 +5,25 @@
 
 namespace railpem::diagnosis {
 
-Started best_start(const BelievedCase& believed, const Fit& near, const Starts& starts, const std::vector<Candidate>& candidates,
-                   const std::vector<Candidate>& members, const std::vector<std::string>& released, const LikelihoodContext& context) {
+Started best_start(const BelievedCase& believed, const Fit& near, const Starts& starts,
+                   const std::vector<Candidate>& candidates, const std::vector<Candidate>& members,
+                   const std::vector<std::string>& released, const LikelihoodContext& context) {
     constexpr double kParts[] = {1.0, 0.3, 0.1, 0.03, 0.01, 0.003, 0.0};
     const auto started = [&](const Promise& promise) {
         const Candidate& candidate = candidates[promise.candidate];
         Started best;
         for (const double part : kParts) {
-            if (part == 0.0 && std::isfinite(best.log_posterior)) break;  // the mild strength is for what cannot be reached from nothing
+            // the mild strength is for what cannot be reached from nothing
+            if (part == 0.0 && std::isfinite(best.log_posterior)) break;
             Started own{.candidate = part == 0.0 ? candidate : started_at(candidate, part * promise.strength),
-                        .near = {.trial = near.trial, .unknowns = near.unknowns, .values = near.values, .derivatives = near.derivatives}};
+                        .near = {.trial = near.trial,
+                                 .unknowns = near.unknowns,
+                                 .values = near.values,
+                                 .derivatives = near.derivatives}};
             for (std::size_t u = 0; u < own.near.values.size(); ++u)
-                own.near.values[u] = std::clamp(near.values[u] + part * promise.strength * promise.move(static_cast<long>(u)), near.unknowns[u].low, near.unknowns[u].high);
+                own.near.values[u] =
+                    std::clamp(near.values[u] + part * promise.strength * promise.move(static_cast<long>(u)),
+                               near.unknowns[u].low, near.unknowns[u].high);
             std::vector<Candidate> with = members;
             with.push_back(own.candidate);
             const Supposition supposition = suppose(believed, own.near, with, released, {}, context);

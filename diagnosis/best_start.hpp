@@ -17,9 +17,10 @@ struct Started {
     double log_posterior = -std::numeric_limits<double>::infinity();
 };
 
-/// The most probable start of a variant beside `members`, from where its promises lead: of each the step that was promised, or the part of it
-/// that holds.
-Started best_start(const BelievedCase& believed, const Fit& near, const Starts& starts, const std::vector<Candidate>& candidates,
-                   const std::vector<Candidate>& members, const std::vector<std::string>& released, const LikelihoodContext& context);
+/// The most probable start of a variant beside `members`, from where its promises lead: of each the step that was
+/// promised, or the part of it that holds.
+Started best_start(const BelievedCase& believed, const Fit& near, const Starts& starts,
+                   const std::vector<Candidate>& candidates, const std::vector<Candidate>& members,
+                   const std::vector<std::string>& released, const LikelihoodContext& context);
 
 }  // namespace railpem::diagnosis

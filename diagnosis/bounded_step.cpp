@@ -9,7 +9,8 @@ namespace railpem::diagnosis {
 namespace {
 
 /// The best values of the free elements beside the others.
-Eigen::VectorXd best_of_free(const Eigen::MatrixXd& curvature, const Eigen::VectorXd& gradient, const Eigen::VectorXd& step, const std::vector<long>& free) {
+Eigen::VectorXd best_of_free(const Eigen::MatrixXd& curvature, const Eigen::VectorXd& gradient,
+                             const Eigen::VectorXd& step, const std::vector<long>& free) {
     Eigen::VectorXd fixed = step;
     for (const long u : free) fixed(u) = 0.0;
     const Eigen::VectorXd pull = gradient - curvature * fixed, own_pull = pull(free);
@@ -18,27 +19,34 @@ Eigen::VectorXd best_of_free(const Eigen::MatrixXd& curvature, const Eigen::Vect
 }
 
 /// The part of the way to `best` that lies within the bounds, 1 when all of it does; `held` are those that stop it.
-double way_within(const Eigen::VectorXd& step, const Eigen::VectorXd& best, const std::vector<long>& free, const Eigen::VectorXd& low, const Eigen::VectorXd& high, std::vector<long>& held) {
+double way_within(const Eigen::VectorXd& step, const Eigen::VectorXd& best, const std::vector<long>& free,
+                  const Eigen::VectorXd& low, const Eigen::VectorXd& high, std::vector<long>& held) {
     double part = 1.0;
     for (std::size_t i = 0; i < free.size(); ++i) {
-        const double from = step(free[i]), to = best(static_cast<long>(i)), end = to > from ? high(free[i]) : low(free[i]);
-        if ((to > from && to > end) || (to < from && to < end)) part = std::min(part, std::max(0.0, (end - from) / (to - from)));
+        const double from = step(free[i]), to = best(static_cast<long>(i)),
+                     end = to > from ? high(free[i]) : low(free[i]);
+        if ((to > from && to > end) || (to < from && to < end))
+            part = std::min(part, std::max(0.0, (end - from) / (to - from)));
     }
     for (std::size_t i = 0; i < free.size() && part < 1.0; ++i) {
-        const double from = step(free[i]), to = best(static_cast<long>(i)), end = to > from ? high(free[i]) : low(free[i]);
-        if (((to > from && to > end) || (to < from && to < end)) && (end - from) / (to - from) <= part * (1.0 + 1e-12)) held.push_back(free[i]);
+        const double from = step(free[i]), to = best(static_cast<long>(i)),
+                     end = to > from ? high(free[i]) : low(free[i]);
+        if (((to > from && to > end) || (to < from && to < end)) && (end - from) / (to - from) <= part * (1.0 + 1e-12))
+            held.push_back(free[i]);
     }
     return part;
 }
 
 }  // namespace
 
-Eigen::VectorXd bounded_step(const Eigen::MatrixXd& curvature, const Eigen::VectorXd& gradient, const Eigen::VectorXd& low, const Eigen::VectorXd& high) {
+Eigen::VectorXd bounded_step(const Eigen::MatrixXd& curvature, const Eigen::VectorXd& gradient,
+                             const Eigen::VectorXd& low, const Eigen::VectorXd& high) {
     const long size = gradient.size();
     const long most_turns = 10 * size;  // a bound that rounding lets go and stops again would turn for ever
     Eigen::VectorXd step = Eigen::VectorXd::Zero(size);
     std::vector<bool> is_held(static_cast<std::size_t>(size));
-    for (long u = 0; u < size; ++u) is_held[static_cast<std::size_t>(u)] = gradient(u) >= 0.0 ? high(u) <= 0.0 : low(u) >= 0.0;
+    for (long u = 0; u < size; ++u)
+        is_held[static_cast<std::size_t>(u)] = gradient(u) >= 0.0 ? high(u) <= 0.0 : low(u) >= 0.0;
     for (long turn = 0; turn < most_turns; ++turn) {
         std::vector<long> free, held;
         for (long u = 0; u < size; ++u)
@@ -47,7 +55,8 @@ Eigen::VectorXd bounded_step(const Eigen::MatrixXd& curvature, const Eigen::Vect
         if (!free.empty()) {
             const Eigen::VectorXd best = best_of_free(curvature, gradient, step, free);
             part = way_within(step, best, free, low, high, held);
-            for (std::size_t i = 0; i < free.size(); ++i) step(free[i]) += part * (best(static_cast<long>(i)) - step(free[i]));
+            for (std::size_t i = 0; i < free.size(); ++i)
+                step(free[i]) += part * (best(static_cast<long>(i)) - step(free[i]));
         }
         for (const long u : held) {
             step(u) = step(u) > 0.5 * (low(u) + high(u)) ? high(u) : low(u);

@@ -37,7 +37,8 @@ Agreement agreement(const SaidByOthers& own) {
 
 Agreements agreements_of(const Fit& fit, const LikelihoodContext& context) {
     Agreements agreements;
-    for_each_said_by_others(fit, context, [&](const SaidByOthers& own) { agreements[own.response].push_back(agreement(own)); });
+    for_each_said_by_others(fit, context,
+                            [&](const SaidByOthers& own) { agreements[own.response].push_back(agreement(own)); });
     return agreements;
 }
 
@@ -61,7 +62,9 @@ double highest_hz(const std::vector<Observation>& observations) {
     return highest;
 }
 
-double scan_step_s(const std::vector<Observation>& observations) { return 1.0 / (8.0 * highest_hz(observations)); }
+double scan_step_s(const std::vector<Observation>& observations) {
+    return 1.0 / (8.0 * highest_hz(observations));
+}
 
 }  // namespace
 
@@ -77,16 +80,22 @@ void add_delays(const Fit& fit, const LikelihoodContext& context, std::vector<Ca
     const Agreements all = agreements_of(fit, context);
     std::vector<Candidate> added;
     for (const Candidate& candidate : candidates) {
-        if (candidate.whole || !candidate.instance.values.count(kDelay) || !candidate.instance.choices.count("channel")) continue;
+        if (candidate.whole || !candidate.instance.values.count(kDelay) || !candidate.instance.choices.count("channel"))
+            continue;
         const Effect& effect = *find_effect(candidate.instance.effect);
-        const auto parameter = std::find_if(effect.parameters.begin(), effect.parameters.end(), [](const EffectParameter& own) { return own.name == kDelay; });
-        const auto heard = all.find(pem::response_index(pem::measured_response(candidate.instance.choices.at("channel"))));
-        const double delay = heard == all.end() ? 0.0 : best_delay_s(heard->second, scan_step_s(*context.observations), parameter->high);
+        const auto parameter = std::find_if(effect.parameters.begin(), effect.parameters.end(),
+                                            [](const EffectParameter& own) { return own.name == kDelay; });
+        const auto heard =
+            all.find(pem::response_index(pem::measured_response(candidate.instance.choices.at("channel"))));
+        const double delay =
+            heard == all.end() ? 0.0 : best_delay_s(heard->second, scan_step_s(*context.observations), parameter->high);
         if (std::abs(delay) < nearest) continue;
         Candidate late = candidate;
         late.whole = true;
         for (EffectInstance* instance : {&late.instance, &late.probe}) instance->values[kDelay] = delay;
-        const auto same = [&](const Candidate& own) { return own.whole && same_variant(own.instance, late.instance) && own.instance.values.at(kDelay) == delay; };
+        const auto same = [&](const Candidate& own) {
+            return own.whole && same_variant(own.instance, late.instance) && own.instance.values.at(kDelay) == delay;
+        };
         if (std::none_of(candidates.begin(), candidates.end(), same)) added.push_back(std::move(late));
     }
     candidates.insert(candidates.end(), added.begin(), added.end());

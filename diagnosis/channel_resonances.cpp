@@ -15,7 +15,8 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr double kLeastAmplification = 2.0;  ///< below, the grid of the catalogue leads there: its peak is an octave wide
+/// below, the grid of the catalogue leads there: its peak is an octave wide
+constexpr double kLeastAmplification = 2.0;
 constexpr const char* kFrequency = "frequency_hz";
 constexpr const char* kDamping = "damping_ratio";
 
@@ -25,8 +26,8 @@ struct Transfer {
     double said = 0.0;
 };
 
-using Transfers = std::map<double, Transfer>;           ///< by frequency, over all recordings
-using TransfersOf = std::map<std::size_t, Transfers>;   ///< by response
+using Transfers = std::map<double, Transfer>;          ///< by frequency, over all recordings
+using TransfersOf = std::map<std::size_t, Transfers>;  ///< by response
 
 /// In units of what the fit expects, so that no recording drowns the others.
 TransfersOf transfers_of(const Fit& fit, const LikelihoodContext& context) {
@@ -52,12 +53,14 @@ std::optional<ChannelResonance> peak_of(const Transfers& transfers) {
 }
 
 const EffectParameter& parameter_named(const Effect& effect, const char* name) {
-    return *std::find_if(effect.parameters.begin(), effect.parameters.end(), [&](const EffectParameter& own) { return own.name == name; });
+    return *std::find_if(effect.parameters.begin(), effect.parameters.end(),
+                         [&](const EffectParameter& own) { return own.name == name; });
 }
 
 }  // namespace
 
-std::optional<ChannelResonance> channel_resonance(const Fit& fit, const LikelihoodContext& context, std::size_t response) {
+std::optional<ChannelResonance> channel_resonance(const Fit& fit, const LikelihoodContext& context,
+                                                  std::size_t response) {
     const TransfersOf all = transfers_of(fit, context);
     const auto own = all.find(response);
     return own == all.end() ? std::nullopt : peak_of(own->second);
@@ -68,7 +71,9 @@ void add_resonances(const Fit& fit, const LikelihoodContext& context, std::vecto
     std::map<std::string, Candidate> added;  // one a channel
     for (const Candidate& candidate : candidates) {
         const auto& choices = candidate.instance.choices;
-        if (!candidate.instance.values.count(kFrequency) || !choices.count("channel") || added.count(choices.at("channel"))) continue;
+        if (!candidate.instance.values.count(kFrequency) || !choices.count("channel") ||
+            added.count(choices.at("channel")))
+            continue;
         const auto heard = all.find(pem::response_index(pem::measured_response(choices.at("channel"))));
         const std::optional<ChannelResonance> peak = heard == all.end() ? std::nullopt : peak_of(heard->second);
         const Effect& effect = *find_effect(candidate.instance.effect);
@@ -81,8 +86,12 @@ void add_resonances(const Fit& fit, const LikelihoodContext& context, std::vecto
         }
         sharp.whole = true;
         sharp.read_off = true;  // of a peak this high half a bin aside the first order asks for a hundredth
-        const auto same = [&](const Candidate& own) { return same_variant(own.instance, sharp.instance) && own.instance.values.at(kFrequency) == peak->frequency_hz; };
-        if (std::none_of(candidates.begin(), candidates.end(), same)) added.emplace(choices.at("channel"), std::move(sharp));
+        const auto same = [&](const Candidate& own) {
+            return same_variant(own.instance, sharp.instance) &&
+                   own.instance.values.at(kFrequency) == peak->frequency_hz;
+        };
+        if (std::none_of(candidates.begin(), candidates.end(), same))
+            added.emplace(choices.at("channel"), std::move(sharp));
     }
     for (auto& [channel, own] : added) candidates.push_back(std::move(own));
 }

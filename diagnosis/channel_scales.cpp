@@ -16,11 +16,14 @@ void scale_channels(const std::vector<double>& log_gain, std::vector<std::comple
 void guess_scales(Observation& observation, const pem::CaseParameters& believed) {
     const std::size_t size = observation.channels.size(), bins = observation.bins();
     observation.log_scale.assign(size, 0.0);
-    if (std::none_of(observation.unknown_scale.begin(), observation.unknown_scale.end(), [](bool unknown) { return unknown; })) return;
+    if (std::none_of(observation.unknown_scale.begin(), observation.unknown_scale.end(),
+                     [](bool unknown) { return unknown; }))
+        return;
     pem::CaseParameters parameters = believed;
     parameters.vehicle.payload_kg = observation.payload_kg;
     parameters.frequency.to_hz = observation.expectation.high_hz;
-    const ExpectedSpectra expected = expected_spectra(parameters, observation.speed_m_per_s, observation.kernel, observation.channels, {}, observation.expectation);
+    const ExpectedSpectra expected = expected_spectra(parameters, observation.speed_m_per_s, observation.kernel,
+                                                      observation.channels, {}, observation.expectation);
     for (std::size_t c = 0; c < size; ++c) {
         if (!observation.unknown_scale[c]) continue;
         double sum = 0.0, count = 0.0;

@@ -21,14 +21,16 @@ namespace {
 /// The distance of a comb of lines among the parameters of an effect, where the instance states one; null otherwise.
 const EffectParameter* comb_of(const EffectInstance& instance) {
     const Effect& effect = *find_effect(instance.effect);
-    const auto comb = std::find_if(effect.parameters.begin(), effect.parameters.end(), [](const EffectParameter& parameter) { return parameter.comb; });
+    const auto comb = std::find_if(effect.parameters.begin(), effect.parameters.end(),
+                                   [](const EffectParameter& parameter) { return parameter.comb; });
     return comb == effect.parameters.end() || !instance.values.count(comb->name) ? nullptr : &*comb;
 }
 
 }  // namespace
 
 std::vector<EffectInstance> comb_decoys(const EffectInstance& fitted) {
-    constexpr double kAside = 1.037;  // from the fourteenth line on by more than half of their distance, of which no multiple is another's
+    // from the fourteenth line on by more than half of their distance, of which no multiple is another's
+    constexpr double kAside = 1.037;
     const EffectParameter* comb = comb_of(fitted);
     std::vector<EffectInstance> decoys;
     if (!comb) return decoys;
@@ -53,7 +55,9 @@ std::vector<EffectInstance> comb_relatives(const EffectInstance& fitted, double 
         EffectInstance relative = fitted;
         relative.values[comb->name] = distance;
         for (const EffectParameter& parameter : effect.parameters)
-            if (parameter.strength) relative.values[parameter.name] = std::clamp(ratio * fitted.values.at(parameter.name), parameter.low, parameter.high);
+            if (parameter.strength)
+                relative.values[parameter.name] =
+                    std::clamp(ratio * fitted.values.at(parameter.name), parameter.low, parameter.high);
         relatives.push_back(std::move(relative));
     }
     return relatives;

@@ -16,20 +16,25 @@ namespace {
 using recordings::RecordingKind;
 
 /// dB per unit of the natural logarithm.
-double db_per_neper(RecordingKind kind) { return (kind == RecordingKind::receptance ? 20.0 : 10.0) / std::log(10.0); }
+double db_per_neper(RecordingKind kind) {
+    return (kind == RecordingKind::receptance ? 20.0 : 10.0) / std::log(10.0);
+}
 
 std::string quantity_of(RecordingKind kind) {
     if (kind == RecordingKind::receptance) return "receptance_m_per_n";
     return kind == RecordingKind::decay_rate ? "decay_rate_db_per_m" : "psd_m2_per_s4_per_hz";
 }
 
-int band_of(const ScalarValue& value) { return static_cast<int>(std::lround(10.0 * std::log10(value.frequency_hz))); }
+int band_of(const ScalarValue& value) {
+    return static_cast<int>(std::lround(10.0 * std::log10(value.frequency_hz)));
+}
 
 /// Indices of the values of a channel in a part, by third-octave.
 std::map<int, std::vector<std::size_t>> values_by_band(const ScalarData& data, std::size_t channel, Part part) {
     std::map<int, std::vector<std::size_t>> bands;
     for (std::size_t i = 0; i < data.values.size(); ++i)
-        if (data.values[i].channel == channel && belongs(data.values[i], part)) bands[band_of(data.values[i])].push_back(i);
+        if (data.values[i].channel == channel && belongs(data.values[i], part))
+            bands[band_of(data.values[i])].push_back(i);
     return bands;
 }
 
@@ -42,10 +47,12 @@ double band_difference(const ExpectedSpectra& prediction, const std::vector<std:
 
 }  // namespace
 
-void compare_scalars(const Stages& stages, const Observation& observation, std::size_t o, Part part, std::vector<ChannelComparison>& channels) {
+void compare_scalars(const Stages& stages, const Observation& observation, std::size_t o, Part part,
+                     std::vector<ChannelComparison>& channels) {
     const ScalarData& data = *observation.scalar;
     const double db = db_per_neper(data.kind);
-    const ExpectedSpectra &believed = (*stages.believed_predictions)[o], &retuned = (*stages.retuned_predictions)[o], &diagnosed = (*stages.diagnosed_predictions)[o];
+    const ExpectedSpectra &believed = (*stages.believed_predictions)[o], &retuned = (*stages.retuned_predictions)[o],
+                          &diagnosed = (*stages.diagnosed_predictions)[o];
     for (std::size_t c = 0; c < observation.channel_names.size(); ++c) {
         ChannelComparison result{.recording = observation.name,
                                  .channel = observation.channel_names[c],
@@ -57,8 +64,11 @@ void compare_scalars(const Stages& stages, const Observation& observation, std::
             result.band_retuned_db.push_back(band_difference(retuned, values, db));
             result.band_diagnosed_db.push_back(band_difference(diagnosed, values, db));
             for (const std::size_t i : values) {
-                const double raised = std::exp(data.values[i].log_value.real()), level = raised - data.values[i].pedestal;
-                const auto model = [&](const ExpectedSpectra& prediction) { return raised * std::exp(prediction.values[i].real()) - data.values[i].pedestal; };
+                const double raised = std::exp(data.values[i].log_value.real()),
+                             level = raised - data.values[i].pedestal;
+                const auto model = [&](const ExpectedSpectra& prediction) {
+                    return raised * std::exp(prediction.values[i].real()) - data.values[i].pedestal;
+                };
                 const double reach = std::exp(kNinety * data.values[i].deviation * raised / level);
                 result.frequency_hz.push_back(data.values[i].frequency_hz);
                 result.measured.push_back(level);
@@ -73,8 +83,8 @@ void compare_scalars(const Stages& stages, const Observation& observation, std::
     }
 }
 
-double scalar_mismatches(const Trial& trial, const Predictions& predictions, const Observation& observation, std::size_t o, Part part,
-                         std::vector<Mismatch>& found) {
+double scalar_mismatches(const Trial& trial, const Predictions& predictions, const Observation& observation,
+                         std::size_t o, Part part, std::vector<Mismatch>& found) {
     const ScalarData& data = *observation.scalar;
     double tests = 0.0;
     for (std::size_t c = 0; c < observation.channel_names.size(); ++c)

@@ -14,11 +14,14 @@ namespace {
 constexpr double kLeastInexact = 0.01;  ///< of a value: of what the best laws get wrong no recording has the same
 
 /// The derivatives of one unknown, one observation each.
-std::vector<const PredictionDerivative*> derivatives_with(const std::vector<PredictionDerivative>& derivatives, std::size_t unknown, const std::vector<Observation>& observations) {
+std::vector<const PredictionDerivative*> derivatives_with(const std::vector<PredictionDerivative>& derivatives,
+                                                          std::size_t unknown,
+                                                          const std::vector<Observation>& observations) {
     std::vector<const PredictionDerivative*> own;
     for (const PredictionDerivative& derivative : derivatives) {
         const auto is_zero = [](const std::complex<double>& value) { return value == 0.0; };
-        if (derivative.unknown == static_cast<int>(unknown) && !observations[static_cast<std::size_t>(derivative.observation)].scalar &&
+        if (derivative.unknown == static_cast<int>(unknown) &&
+            !observations[static_cast<std::size_t>(derivative.observation)].scalar &&
             !std::all_of(derivative.values.begin(), derivative.values.end(), is_zero))
             own.push_back(&derivative);
     }
@@ -29,14 +32,21 @@ std::vector<const PredictionDerivative*> derivatives_with(const std::vector<Pred
 std::vector<Unknown> differences(const Unknown& common, const std::vector<const PredictionDerivative*>& derivatives) {
     std::vector<Unknown> own;
     for (std::size_t i = 0; i + 1 < derivatives.size(); ++i)
-        own.push_back({.kind = UnknownKind::effect, .name = common.name, .deviation = common.deviation, .observation = derivatives[i]->observation, .index = common.index, .set = {}});
+        own.push_back({.kind = UnknownKind::effect,
+                       .name = common.name,
+                       .deviation = common.deviation,
+                       .observation = derivatives[i]->observation,
+                       .index = common.index,
+                       .set = {}});
     return own;
 }
 
 /// ½ Δᵀ(C + V)⁻¹Δ. All differences share the last observation's error.
 double nats_of(const FreedomPromise& promise, double law) {
     const long count = promise.values.size();
-    const Eigen::MatrixXd spread = promise.covariance + law * law * (Eigen::MatrixXd::Identity(count, count) + Eigen::MatrixXd::Ones(count, count));
+    const Eigen::MatrixXd spread =
+        promise.covariance +
+        law * law * (Eigen::MatrixXd::Identity(count, count) + Eigen::MatrixXd::Ones(count, count));
     return 0.5 * promise.values.dot(spread.ldlt().solve(promise.values));
 }
 
@@ -58,7 +68,8 @@ std::vector<ParameterByRecording> constancy(const Fit& fit, const LikelihoodCont
     if (found.empty()) return found;
     const auto given = [&](std::size_t i) {
         std::vector<PredictionDerivative> own;
-        for (std::size_t d = 0; d + 1 < known[i].size(); ++d) own.push_back({known[i][d]->observation, static_cast<int>(d), known[i][d]->values});
+        for (std::size_t d = 0; d + 1 < known[i].size(); ++d)
+            own.push_back({known[i][d]->observation, static_cast<int>(d), known[i][d]->values});
         return own;
     };
     const std::vector<FreedomPromise> promises = promises_of(fit, freedoms, context, given);
@@ -68,7 +79,8 @@ std::vector<ParameterByRecording> constancy(const Fit& fit, const LikelihoodCont
         const EffectParameter& parameter = *parameter_of(unknown);
         for (std::size_t d = 0; d < known[i].size(); ++d) {
             found[i].observation.push_back(static_cast<std::size_t>(known[i][d]->observation));
-            found[i].value.push_back(from_coordinate(parameter, common + (d + 1 < known[i].size() ? promises[i].values(static_cast<long>(d)) : 0.0)));
+            found[i].value.push_back(from_coordinate(
+                parameter, common + (d + 1 < known[i].size() ? promises[i].values(static_cast<long>(d)) : 0.0)));
         }
         found[i].nats = nats_of(promises[i], law_deviation(parameter, fit.values[found[i].unknown], kLeastInexact));
     }

@@ -7,7 +7,9 @@ namespace railpem::diagnosis {
 
 namespace {
 
-int band_of(double frequency_hz) { return static_cast<int>(std::lround(10.0 * std::log10(frequency_hz))); }
+int band_of(double frequency_hz) {
+    return static_cast<int>(std::lround(10.0 * std::log10(frequency_hz)));
+}
 
 /// Logarithms of recorded by predicted, weighted by what each is known to.
 struct BandSum {
@@ -22,7 +24,8 @@ int reference_band(const pem::DecayRateReference& reference, double frequency_hz
     return -1;
 }
 
-pem::DecayRateReference decay_rate_reference(const Trial& trial, const Predictions& predictions, const std::vector<Observation>& observations) {
+pem::DecayRateReference decay_rate_reference(const Trial& trial, const Predictions& predictions,
+                                             const std::vector<Observation>& observations) {
     const pem::DecayRateReference& before = trial.numbers.decay_rate_reference;
     std::map<double, BandSum> sums;
     for (std::size_t o = 0; o < observations.size(); ++o) {
@@ -33,7 +36,8 @@ pem::DecayRateReference decay_rate_reference(const Trial& trial, const Predictio
             const double weight = 1.0 / (value.deviation * value.deviation);
             BandSum& own = sums[value.frequency_hz];
             own.weights += weight;
-            own.logs += weight * ((known < 0 ? 0.0 : std::log(before.ratio[static_cast<std::size_t>(known)])) - predictions[o].values[i].real());
+            own.logs += weight * ((known < 0 ? 0.0 : std::log(before.ratio[static_cast<std::size_t>(known)])) -
+                                  predictions[o].values[i].real());
         }
     }
     if (sums.empty()) return before;

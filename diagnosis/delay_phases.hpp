@@ -11,10 +11,12 @@
 
 namespace railpem::diagnosis {
 
-/// Delays of the wheels along the fine grid: each line's from that of the line before, taken anew often enough for rounding not to add up.
+/// Delays of the wheels along the fine grid: each line's from that of the line before, taken anew often enough for
+/// rounding not to add up.
 class DelayPhases {
   public:
-    DelayPhases(const std::vector<double>& wheels_m, double speed_m_per_s, const FineGrid& grid) : wheels_(wheels_m), speed_(speed_m_per_s), grid_(grid) {
+    DelayPhases(const std::vector<double>& wheels_m, double speed_m_per_s, const FineGrid& grid)
+        : wheels_(wheels_m), speed_(speed_m_per_s), grid_(grid) {
         for (std::size_t j = 0; j < 4; ++j) turn_[j] = pem::delay_phase(wheels_, j, grid.step_hz, speed_);
     }
 
@@ -24,7 +26,9 @@ class DelayPhases {
         for (std::size_t j = 0; j < 4; ++j) {
             const std::complex<double>& p = phase_[j];
             const std::complex<double>& t = turn_[j];
-            phase_[j] = i % kAnew == 0 ? pem::delay_phase(wheels_, j, grid_.frequency(i), speed_) : std::complex<double>(p.real() * t.real() - p.imag() * t.imag(), p.real() * t.imag() + p.imag() * t.real());
+            phase_[j] = i % kAnew == 0 ? pem::delay_phase(wheels_, j, grid_.frequency(i), speed_)
+                                       : std::complex<double>(p.real() * t.real() - p.imag() * t.imag(),
+                                                              p.real() * t.imag() + p.imag() * t.real());
         }
         return phase_;
     }

@@ -55,7 +55,7 @@ struct Rival {
     std::vector<std::string> effects;
     std::vector<EffectInstance> instances;
     double probability = 0.0;
-    double nats_behind = 0.0;  ///< log-evidence that it lacks
+    double nats_behind = 0.0;    ///< log-evidence that it lacks
     double nats_held_out = 0.0;  ///< log-likelihood of what no fit saw, over retuning that may leave its beliefs
     std::string why_not;
     std::string would_separate;
@@ -66,7 +66,7 @@ struct PlaceEvidence {
     Element element = Element::body;
     double probability = 0.0;
     double nats = 0.0;
-    bool forces = false;  ///< what helps there most are forces of its own, which no linear law makes
+    bool forces = false;        ///< what helps there most are forces of its own, which no linear law makes
     double resonance_hz = 0.0;  ///< support: at which what each wheel meets by itself resonates; 0: it is not known to
 };
 
@@ -90,32 +90,35 @@ struct FitFigures {
 struct RetunedNumber {
     std::string key, unit;
     double believed = 0.0, value = 0.0, low = 0.0, high = 0.0;  ///< interval of 90 %
-    double tolerance = 0.0;                                      ///< relative standard deviation of the belief
-    double tolerances_away = 0.0;                                ///< signed
-    bool outside = false;                                        ///< more than two tolerances away
+    double tolerance = 0.0;                                     ///< relative standard deviation of the belief
+    double tolerances_away = 0.0;                               ///< signed
+    bool outside = false;                                       ///< more than two tolerances away
 };
 
 /// The dynamic stiffness that the recordings infer at a place, as a factor on the retuned one.
 struct InferredCurve {
     Element element = Element::pad;
-    std::string unit;                        ///< of the dynamic stiffness or mass
+    std::string unit;  ///< of the dynamic stiffness or mass
     std::vector<double> frequency_hz;
     std::vector<std::complex<double>> value;
     std::vector<double> real_low, real_high;  ///< 90 % band of the real part
     std::vector<double> imaginary_low, imaginary_high;
-    std::vector<std::complex<double>> retuned, diagnosed;  ///< the laws of the retuned and of the diagnosed case; may be empty
+    /// the laws of the retuned and of the diagnosed case; may be empty
+    std::vector<std::complex<double>> retuned, diagnosed;
 };
 
-/// One channel of one recording: PSDs on a common grid of bins, in the channel's squared unit per Hz; of a recording without time series
-/// its levels.
+/// One channel of one recording: PSDs on a common grid of bins, in the channel's squared unit per Hz; of a recording
+/// without time series its levels.
 struct ChannelComparison {
     std::string recording, channel;
     double speed_m_per_s = 0.0;
-    std::string quantity = "psd_m2_per_s4_per_hz";  ///< what `measured` and the models are, with the unit, as in a column
+    /// what `measured` and the models are, with the unit, as in a column
+    std::string quantity = "psd_m2_per_s4_per_hz";
     std::vector<double> frequency_hz;
     std::vector<double> measured, low, high;  ///< with the 90 % band of the estimate
     std::vector<double> believed, retuned, diagnosed;
-    std::vector<double> band_centre_hz;  ///< third octaves: levels of recording over model, dB; NaN where the recording says nothing
+    /// third octaves: levels of recording over model, dB; NaN where the recording says nothing
+    std::vector<double> band_centre_hz;
     std::vector<double> band_believed_db, band_retuned_db, band_diagnosed_db;
 };
 
@@ -136,7 +139,8 @@ struct Margins {
     double place = 0.0;     ///< most that a free correction promises beside the retuned case
 };
 
-/// Retuning that may leave its beliefs for what they cost, where the verdict is held against a retuned case that keeps those which are given up.
+/// Retuning that may leave its beliefs for what they cost, where the verdict is held against a retuned case that keeps
+/// those which are given up.
 struct FreelyRetuned {
     FitFigures fitted, held_out;
 };
@@ -152,19 +156,21 @@ struct Diagnosis {
     std::vector<Mismatch> mismatch;     ///< most certain first
     FitFigures before, retuned, after;
     FitFigures held_out_before, held_out_retuned, held_out_after;
-    double hidden_by_retuning = 0.0;  ///< share of the likelihood deficit that retuning removes which may leave its beliefs for what they cost
-    /// Where what is named only gives up beliefs that retuning has left, too. `retuned`, `held_out_retuned`, `mismatch`, channels and curves are of a retuned case then that keeps those within two tolerances.
+    /// share of the likelihood deficit that retuning removes which may leave its beliefs for what they cost
+    double hidden_by_retuning = 0.0;
+    /// Where what is named only gives up beliefs that retuning has left, too. `retuned`, `held_out_retuned`,
+    /// `mismatch`, channels and curves are of a retuned case then that keeps those within two tolerances.
     std::optional<FreelyRetuned> freely_retuned;
-    bool per_value = false;  ///< no time series: figures are per value, not per second
-    std::vector<RetunedNumber> numbers;    ///< of the diagnosed case (of the retuned when nothing is named)
+    bool per_value = false;                      ///< no time series: figures are per value, not per second
+    std::vector<RetunedNumber> numbers;          ///< of the diagnosed case (of the retuned when nothing is named)
     std::vector<RetunedNumber> retuned_numbers;  ///< with nothing added: what calibration would have hidden
     std::vector<InferredCurve> curves;
     std::vector<ChannelComparison> channels;
     std::vector<UsedRecording> recordings;
-    std::vector<std::string> not_tested;  ///< effects that could not be, and why
-    std::vector<std::string> rests_on;    ///< what the verdict rests on: several speeds, a measured irregularity …
-    std::vector<std::string> remains;     ///< what stays unexplained
-    pem::CaseParameters diagnosed_numbers;        ///< the case before its effects, retuned
+    std::vector<std::string> not_tested;    ///< effects that could not be, and why
+    std::vector<std::string> rests_on;      ///< what the verdict rests on: several speeds, a measured irregularity …
+    std::vector<std::string> remains;       ///< what stays unexplained
+    pem::CaseParameters diagnosed_numbers;  ///< the case before its effects, retuned
     std::vector<EffectInstance> diagnosed_effects;  ///< its own and the named ones
     Margins margins;
     double seconds_taken = 0.0;

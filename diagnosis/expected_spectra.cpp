@@ -28,15 +28,20 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr double kLeastOrder = 0.1;  ///< of the strongest order of the modulation: 20 dB below what is itself 30 dB below the irregularity
-constexpr double kOverThePivot_m = 0.25;  ///< m: a sensor on the body counts as over the pivot or at the centre within this
+/// of the strongest order of the modulation: 20 dB below what is itself 30 dB below the irregularity
+constexpr double kLeastOrder = 0.1;
+/// m: a sensor on the body counts as over the pivot or at the centre within this
+constexpr double kOverThePivot_m = 0.25;
 
 std::string response_of(const recordings::ChannelDescription& channel, const pem::CaseParameters& parameters) {
     using recordings::Location;
     switch (channel.location) {
-        case Location::wheel: return "wheel_" + std::to_string(channel.index);
-        case Location::bogie: return "bogie_" + std::to_string(channel.index);
-        case Location::rail: return "rail_" + std::to_string(channel.index);
+        case Location::wheel:
+            return "wheel_" + std::to_string(channel.index);
+        case Location::bogie:
+            return "bogie_" + std::to_string(channel.index);
+        case Location::rail:
+            return "rail_" + std::to_string(channel.index);
         case Location::body: {
             const double pivot = parameters.vehicle.bogie_distance_m / 2.0;
             if (std::abs(channel.position_m) < kOverThePivot_m) return "body";
@@ -44,7 +49,8 @@ std::string response_of(const recordings::ChannelDescription& channel, const pem
             if (std::abs(channel.position_m + pivot) < kOverThePivot_m) return "body_rear";
             return {};
         }
-        case Location::none: return {};
+        case Location::none:
+            return {};
     }
     return {};
 }
@@ -55,22 +61,27 @@ struct TransferGrid {
     std::size_t lines;
 };
 
-/// Half-power width of the narrowest mode of the vehicle, Hz. Modes so heavy or masses so light that nothing feels them (a probe of
-/// the screening) do not count: a probe is held against the case without it, on the same grid.
+/// Half-power width of the narrowest mode of the vehicle, Hz. Modes so heavy or masses so light that nothing feels them
+/// (a probe of the screening) do not count: a probe is held against the case without it, on the same grid.
 double narrowest_mode(const vehicle::VehicleParameters& vehicle) {
     constexpr double kFelt = 1e-3;
     double narrowest = 1e300;
     for (const vehicle::BodyBendingMode& mode : vehicle.body_bending)
-        if (vehicle.body_mass_kg > kFelt * mode.modal_mass_kg) narrowest = std::min(narrowest, 2.0 * mode.damping_ratio * mode.frequency_hz);
+        if (vehicle.body_mass_kg > kFelt * mode.modal_mass_kg)
+            narrowest = std::min(narrowest, 2.0 * mode.damping_ratio * mode.frequency_hz);
     for (const vehicle::WheelsetBendingMode& mode : vehicle.wheelset_bending)
-        if (vehicle.wheelset_mass_kg > kFelt * mode.modal_mass_kg) narrowest = std::min(narrowest, 2.0 * mode.damping_ratio * mode.frequency_hz);
+        if (vehicle.wheelset_mass_kg > kFelt * mode.modal_mass_kg)
+            narrowest = std::min(narrowest, 2.0 * mode.damping_ratio * mode.frequency_hz);
     for (const vehicle::BogieMountedMass& mass : vehicle.bogie_mounted_masses)
-        if (mass.mass_kg > kFelt * vehicle.bogie_mass_kg) narrowest = std::min(narrowest, 2.0 * mass.damping_ratio * mass.frequency_hz);
+        if (mass.mass_kg > kFelt * vehicle.bogie_mass_kg)
+            narrowest = std::min(narrowest, 2.0 * mass.damping_ratio * mass.frequency_hz);
     return narrowest;
 }
 
-TransferGrid transfer_grid(const pem::CaseParameters& parameters, const FineGrid& grid, const ExpectationOptions& options) {
-    constexpr double kPerWidth = 3.0, kFinest = 1.0 / 16.0;  // of the grid, halved until a mode has three lines in its width
+TransferGrid transfer_grid(const pem::CaseParameters& parameters, const FineGrid& grid,
+                           const ExpectationOptions& options) {
+    // of the grid, halved until a mode has three lines in its width
+    constexpr double kPerWidth = 3.0, kFinest = 1.0 / 16.0;
     const double width = narrowest_mode(parameters.vehicle);
     double step = options.transfer_step_hz;
     while (step > width / kPerWidth && step > kFinest * options.transfer_step_hz) step *= 0.5;
@@ -78,13 +89,16 @@ TransferGrid transfer_grid(const pem::CaseParameters& parameters, const FineGrid
     return {from, step, static_cast<std::size_t>((grid.frequency(grid.count) - from) / step) + 4};
 }
 
-/// The rail on that grid. What hangs on it or bends below it may be as narrow as the vehicle's modes; a rail on pads is not, and is
-/// solved at every few lines only.
-std::vector<pem::RailGroup> channel_rails(const pem::CaseParameters& parameters, const pem::CoupledModel& model, const pem::RollingTable& rolling, const TransferGrid& grid,
+/// The rail on that grid. What hangs on it or bends below it may be as narrow as the vehicle's modes; a rail on pads is
+/// not, and is solved at every few lines only.
+std::vector<pem::RailGroup> channel_rails(const pem::CaseParameters& parameters, const pem::CoupledModel& model,
+                                          const pem::RollingTable& rolling, const TransferGrid& grid,
                                           const ExpectationOptions& options) {
     const bool narrow = !parameters.track.rail_dampers.empty() || !parameters.track.support.bending_modes.empty();
-    const int every = static_cast<int>(std::lround(options.transfer_step_hz / grid.step_hz)) * (narrow ? 1 : options.rail_every);
-    if (!narrow && model.rail->equal_seats()) return pem::rolling_rails(rolling, model, grid.from_hz, grid.step_hz, grid.lines, every, options.threads);
+    const int every =
+        static_cast<int>(std::lround(options.transfer_step_hz / grid.step_hz)) * (narrow ? 1 : options.rail_every);
+    if (!narrow && model.rail->equal_seats())
+        return pem::rolling_rails(rolling, model, grid.from_hz, grid.step_hz, grid.lines, every, options.threads);
     return pem::rail_groups(model, grid.from_hz, grid.step_hz, grid.lines, every, options.threads);
 }
 
@@ -95,13 +109,11 @@ pem::WheelTransfers channel_transfers(const pem::CaseParameters& parameters, con
     const auto [from, step, lines] = transfer_grid(parameters, grid, options);
     std::vector<std::size_t> responses;
     for (const ObservedChannel& channel : channels) responses.push_back(channel.response);
-    pem::WheelTransfers transfers =
-        pem::wheel_transfers(model, from, step, lines, responses, options.threads, rails);
+    pem::WheelTransfers transfers = pem::wheel_transfers(model, from, step, lines, responses, options.threads, rails);
     for (std::size_t c = 0; c < channels.size(); ++c) {
         const bool plain = channels[c].integrations == 0 && parameters.sensors.empty();
         for (std::size_t line = 0; !plain && line < lines; ++line) {
-            const Complex factor =
-                channel_factor(parameters, channels[c], from + static_cast<double>(line) * step);
+            const Complex factor = channel_factor(parameters, channels[c], from + static_cast<double>(line) * step);
             for (std::size_t j = 0; j < 4; ++j) transfers.values[(line * channels.size() + c) * 4 + j] *= factor;
         }
     }
@@ -109,7 +121,8 @@ pem::WheelTransfers channel_transfers(const pem::CaseParameters& parameters, con
 }
 
 /// Where a similar case's friction settled, linearising begins.
-void start_near(const vehicle::FrictionDamping& known, const pem::CaseParameters& parameters, pem::CoupledModel& model) {
+void start_near(const vehicle::FrictionDamping& known, const pem::CaseParameters& parameters,
+                pem::CoupledModel& model) {
     if (parameters.vehicle.primary.friction_force_n > 0.0) model.car.friction.primary = known.primary;
     if (parameters.vehicle.secondary.friction_force_n > 0.0) model.car.friction.secondary = known.secondary;
 }
@@ -143,64 +156,89 @@ void add_modulation(const pem::CaseParameters& parameters, double speed, bool of
     own.orders = pem::modulations(parameters, own.track, own.modulation, kLeastOrder);
     if (!of_equal_seats) std::erase_if(own.orders, [](const pem::Modulation& order) { return order.bays != 0; });
     std::vector<pem::Modulation> all = own.orders;
-    for (const pem::Modulation& random : pem::random_modulations(own.track, own.modulation, speed)) all.push_back(random);
+    for (const pem::Modulation& random : pem::random_modulations(own.track, own.modulation, speed))
+        all.push_back(random);
     if (all.empty()) return;
     own.felt = pem::felt_orders(all, own.modulation);
     own.of_irregularity = with_what_comes_back(own.transfers, own.felt.front());
 }
 
-bool has_forces(const pem::CaseParameters& parameters) { return has_friction(parameters) || has_own_forces(parameters); }
+bool has_forces(const pem::CaseParameters& parameters) {
+    return has_friction(parameters) || has_own_forces(parameters);
+}
 
-/// What does not depend on the excitation, or is costly. Forces of the suspension's own are added to `expected` at once.
-ExpectationCache prepared(const pem::CaseParameters& parameters, double speed, const std::vector<ObservedChannel>& channels, const FineGrid& grid, double bin_hz,
-                          const ExpectationOptions& options, const ExpectationCache* known, Reuse reuse, ExpectedSpectra& expected) {
+/// What does not depend on the excitation, or is costly. Forces of the suspension's own are added to `expected` at
+/// once.
+ExpectationCache prepared(const pem::CaseParameters& parameters, double speed,
+                          const std::vector<ObservedChannel>& channels, const FineGrid& grid, double bin_hz,
+                          const ExpectationOptions& options, const ExpectationCache* known, Reuse reuse,
+                          ExpectedSpectra& expected) {
     const std::vector<double> wheels = vehicle::wheel_positions(parameters.vehicle);
     const bool same_rail = reuse == Reuse::rail;
     ExpectationCache own;
-    pem::CoupledModel model = same_rail && known->rail ? pem::coupled_model(parameters, known->rail) : pem::coupled_model(parameters, speed);
+    pem::CoupledModel model =
+        same_rail && known->rail ? pem::coupled_model(parameters, known->rail) : pem::coupled_model(parameters, speed);
     own.rail = model.rail;
-    pem::RollingTable rolling = same_rail ? known->modulation.rolling : pem::rolling_table(model, speed, pem::modulation_end_hz(parameters, speed), known && !options.sharp ? &known->modulation.rolling : nullptr);
+    pem::RollingTable rolling =
+        same_rail ? known->modulation.rolling
+                  : pem::rolling_table(model, speed, pem::modulation_end_hz(parameters, speed),
+                                       known && !options.sharp ? &known->modulation.rolling : nullptr);
     std::vector<pem::Source> sources;
     if (pem::is_nonlinear(parameters)) {
         sources = pem::excitation_sources(parameters, wheels, speed);
-        own.level_rails = same_rail && !known->level_rails.empty() ? known->level_rails : pem::linearisation_rails(parameters, model, rolling);
+        own.level_rails = same_rail && !known->level_rails.empty()
+                              ? known->level_rails
+                              : pem::linearisation_rails(parameters, model, rolling);
         if (known) start_near(known->friction, parameters, model);
         pem::linearise(parameters, sources, model, &own.level_rails);
     }
     const TransferGrid lines = transfer_grid(parameters, grid, options);
-    own.rails = same_rail && known->transfers.lines == lines.lines ? known->rails : channel_rails(parameters, model, rolling, lines, options);
+    own.rails = same_rail && known->transfers.lines == lines.lines
+                    ? known->rails
+                    : channel_rails(parameters, model, rolling, lines, options);
     own.transfers = channel_transfers(parameters, model, channels, grid, options, &own.rails);
     const SolvedLines solved{model, own.rails, lines.from_hz, lines.step_hz, lines.lines};
-    if (has_friction(parameters)) add_friction(parameters, solved, {sources, own.level_rails, options.friction_power, options.realised_friction.get()}, channels, bin_hz, expected);
-    if (options.realised_friction) follow_damping(parameters, solved, *options.realised_friction, channels, own.transfers);
+    if (has_friction(parameters))
+        add_friction(parameters, solved,
+                     {sources, own.level_rails, options.friction_power, options.realised_friction.get()}, channels,
+                     bin_hz, expected);
+    if (options.realised_friction)
+        follow_damping(parameters, solved, *options.realised_friction, channels, own.transfers);
     if (has_own_forces(parameters)) add_own_forces(parameters, solved, channels, bin_hz, expected);
     if (has_forces(parameters)) own.forces = expected.values;
     own.friction = model.car.friction;
     own.pads = pem::pad_transfers(parameters, model, same_rail && !known->pads.rail.empty() ? &known->pads : nullptr);
-    own.track = same_rail ? pem::with_other_vehicle(known->track, parameters, model, speed, options.sharp) : pem::track_excitation(parameters, wheels, speed, &model, options.sharp);
+    own.track = same_rail ? pem::with_other_vehicle(known->track, parameters, model, speed, options.sharp)
+                          : pem::track_excitation(parameters, wheels, speed, &model, options.sharp);
     own.of_irregularity = own.transfers;
     own.sensors = parameters.sensors;
     if (!model.rail->equal_seats()) return own;
-    own.modulation = pem::modulation_transfers(parameters, model, speed, std::move(rolling), same_rail ? &known->modulation : nullptr);
+    own.modulation = pem::modulation_transfers(parameters, model, speed, std::move(rolling),
+                                               same_rail ? &known->modulation : nullptr);
     add_modulation(parameters, speed, options.sharp, own);
     pem::feed_back_lines(parameters, own.modulation, own.track);
     return own;
 }
 
 /// What forces of the suspension's own add, as other sensors see it.
-void see_forces(const std::vector<ObservedChannel>& channels, const pem::CaseParameters& before, const pem::CaseParameters& parameters, double bin_hz, std::size_t first_bin, ExpectationCache& own) {
+void see_forces(const std::vector<ObservedChannel>& channels, const pem::CaseParameters& before,
+                const pem::CaseParameters& parameters, double bin_hz, std::size_t first_bin, ExpectationCache& own) {
     const std::size_t size = channels.size();
     std::vector<Complex> seen(size);
     for (std::size_t at = 0, bin = first_bin; at < own.forces.size(); at += size * size, ++bin) {
         const double frequency = static_cast<double>(bin) * bin_hz;
-        for (std::size_t c = 0; c < size; ++c) seen[c] = channel_factor(parameters, channels[c], frequency) / channel_factor(before, channels[c], frequency);
+        for (std::size_t c = 0; c < size; ++c)
+            seen[c] =
+                channel_factor(parameters, channels[c], frequency) / channel_factor(before, channels[c], frequency);
         for (std::size_t j = 0; j < size; ++j)
             for (std::size_t i = 0; i < size; ++i) own.forces[at + j * size + i] *= seen[i] * std::conj(seen[j]);
     }
 }
 
 /// The cache of a case whose sensors alone are others.
-ExpectationCache with_other_sensors(const ExpectationCache& known, const pem::CaseParameters& parameters, const std::vector<ObservedChannel>& channels, double bin_hz, std::size_t first_bin) {
+ExpectationCache with_other_sensors(const ExpectationCache& known, const pem::CaseParameters& parameters,
+                                    const std::vector<ObservedChannel>& channels, double bin_hz,
+                                    std::size_t first_bin) {
     pem::CaseParameters before = parameters;
     before.sensors = known.sensors;
     ExpectationCache own = known;
@@ -209,7 +247,8 @@ ExpectationCache with_other_sensors(const ExpectationCache& known, const pem::Ca
     for (std::size_t c = 0; c < channels.size(); ++c)
         for (std::size_t line = 0; line < known.transfers.lines; ++line) {
             const double frequency = known.transfers.from_hz + static_cast<double>(line) * known.transfers.step_hz;
-            const Complex now = channel_factor(parameters, channels[c], frequency), then = channel_factor(before, channels[c], frequency);
+            const Complex now = channel_factor(parameters, channels[c], frequency),
+                          then = channel_factor(before, channels[c], frequency);
             if (now == then) continue;
             for (std::size_t j = 0; j < 4; ++j) {
                 own.transfers.values[(line * channels.size() + c) * 4 + j] *= now / then;
@@ -220,21 +259,32 @@ ExpectationCache with_other_sensors(const ExpectationCache& known, const pem::Ca
 }
 
 /// `irregularity`: its powers on the fine grid.
-void add_broadband(const pem::CaseParameters& parameters, const pem::Excitation& excitation, const MetPowers& irregularity, double speed, const ExpectationCache& parts, const FineGrid& grid, double bin,
-                   const recordings::KernelWeights& weights, const pem::ContactDistortion& contacts, ExpectedSpectra& expected) {
+void add_broadband(const pem::CaseParameters& parameters, const pem::Excitation& excitation,
+                   const MetPowers& irregularity, double speed, const ExpectationCache& parts, const FineGrid& grid,
+                   double bin, const recordings::KernelWeights& weights, const pem::ContactDistortion& contacts,
+                   ExpectedSpectra& expected) {
     const std::vector<double> wheels = vehicle::wheel_positions(parameters.vehicle);
     for (const pem::DelayedSpectrum& source : excitation.broadband)
-        add_smoothed(fine_responses(parts.of_irregularity, source, &source == &excitation.broadband.front() ? irregularity.at_lines : powers_at_lines(source, grid), wheels, speed, grid), expected.channels, weights,
-                     {.first = grid.first, .count = grid.count, .first_bin = expected.first_bin, .bins = expected.bins()}, expected.values);
+        add_smoothed(
+            fine_responses(
+                parts.of_irregularity, source,
+                &source == &excitation.broadband.front() ? irregularity.at_lines : powers_at_lines(source, grid),
+                wheels, speed, grid),
+            expected.channels, weights,
+            {.first = grid.first, .count = grid.count, .first_bin = expected.first_bin, .bins = expected.bins()},
+            expected.values);
     std::vector<pem::DelayedSpectrum> faint = pem::pad_distortion(parts.pads, excitation.broadband, wheels, speed);
     std::ranges::move(pem::distortion_sources(contacts, parameters), std::back_inserter(faint));
     add_as_they_are(parts.transfers, faint, wheels, speed, bin, expected);
-    if (!parameters.wheels_own.empty()) add_wheels_own(parameters, parts.transfers, excitation.broadband.front(), wheels, speed, bin, expected);
+    if (!parameters.wheels_own.empty())
+        add_wheels_own(parameters, parts.transfers, excitation.broadband.front(), wheels, speed, bin, expected);
     add_felt(parts.transfers, parts.felt, excitation.broadband.front(), wheels, speed, bin, expected);
 }
 
-void add_all_lines(const pem::CaseParameters& parameters, const pem::Excitation& excitation, const ExpectationCache& parts, const recordings::WindowKernel& kernel, ExpectedSpectra& expected) {
-    // Of wheels out of round what supports make of them: lines of joints hardly stand above the irregularity, those of passing supports act on each other (feed_back_lines).
+void add_all_lines(const pem::CaseParameters& parameters, const pem::Excitation& excitation,
+                   const ExpectationCache& parts, const recordings::WindowKernel& kernel, ExpectedSpectra& expected) {
+    // Of wheels out of round what supports make of them: lines of joints hardly stand above the irregularity, those of
+    // passing supports act on each other (feed_back_lines).
     for (const pem::LineSet& set : excitation.lines) {
         const bool modulated = set.name.starts_with("wheel_") && !parts.felt.empty();
         add_lines(parameters, parts.transfers, modulated ? pem::felt_lines(parts.felt, set) : set, kernel, expected);
@@ -257,14 +307,21 @@ ExpectedSpectra expected_spectra(const pem::CaseParameters& parameters, double s
         options.weights.weights.empty() ? expectation_weights(kernel, options.oversampling) : options.weights;
     // With all transfers the excitation's lines are those of the cache; pads that stiffen under load do not share it.
     ExpectationCache own;
-    if (reuse == Reuse::motion) own = with_other_sensors(*known, parameters, channels, bin, expected.first_bin);
-    else if (reuse < Reuse::motion) own = prepared(parameters, speed, channels, grid, bin, options, known, reuse, expected);
+    if (reuse == Reuse::motion)
+        own = with_other_sensors(*known, parameters, channels, bin, expected.first_bin);
+    else if (reuse < Reuse::motion)
+        own = prepared(parameters, speed, channels, grid, bin, options, known, reuse, expected);
     const ExpectationCache& parts = reuse >= Reuse::transfers ? *known : own;
     if (reuse >= Reuse::motion && !parts.forces.empty()) expected.values = parts.forces;
-    const pem::Excitation excitation = pem::excitation(parameters, vehicle::wheel_positions(parameters.vehicle), speed, &parts.track);
-    const MetPowers irregularity = met_powers(parameters, excitation.broadband.front(), speed, grid, known ? &known->powers : nullptr);
-    if (reuse == Reuse::broadband && parts.broadband.size() == expected.values.size()) expected.values = parts.broadband;
-    else add_broadband(parameters, excitation, irregularity, speed, parts, grid, bin, weights, options.contacts, expected);
+    const pem::Excitation excitation =
+        pem::excitation(parameters, vehicle::wheel_positions(parameters.vehicle), speed, &parts.track);
+    const MetPowers irregularity =
+        met_powers(parameters, excitation.broadband.front(), speed, grid, known ? &known->powers : nullptr);
+    if (reuse == Reuse::broadband && parts.broadband.size() == expected.values.size())
+        expected.values = parts.broadband;
+    else
+        add_broadband(parameters, excitation, irregularity, speed, parts, grid, bin, weights, options.contacts,
+                      expected);
     if (filled) own.broadband = expected.values, own.powers = irregularity;
     add_all_lines(parameters, excitation, parts, kernel, expected);
     if (filled && reuse < Reuse::transfers) *filled = std::move(own);

@@ -28,7 +28,8 @@ std::vector<Met> met_together(const std::vector<pem::DelayedSpectrum>& sources, 
 
 /// A row for every wheel, channels side by side, filled up to whole lanes.
 struct ByWheel {
-    explicit ByWheel(std::size_t channels) : stride((channels + lanes::width - 1) / lanes::width * lanes::width), re(4 * stride), im(4 * stride) {}
+    explicit ByWheel(std::size_t channels)
+        : stride((channels + lanes::width - 1) / lanes::width * lanes::width), re(4 * stride), im(4 * stride) {}
     std::size_t stride;
     std::vector<double> re, im;
 };
@@ -49,7 +50,8 @@ void multiply(const ByWheel& transfer, const Met& met, ByWheel& product) {
 }
 
 /// Adds A·Bᴴ, Hermitian, column by column. `column` is room for one: its real parts, then its imaginary ones.
-void add_product(const ByWheel& a, const ByWheel& b, std::size_t channels, std::vector<double>& column, Complex* power) {
+void add_product(const ByWheel& a, const ByWheel& b, std::size_t channels, std::vector<double>& column,
+                 Complex* power) {
     const std::size_t stride = a.stride;
     double *re = column.data(), *im = re + stride;
     for (std::size_t k = 0; k < channels; ++k) {
@@ -73,8 +75,8 @@ void add_product(const ByWheel& a, const ByWheel& b, std::size_t channels, std::
 
 }  // namespace
 
-void add_as_they_are(const pem::WheelTransfers& transfers, const std::vector<pem::DelayedSpectrum>& sources, const std::vector<double>& wheels, double speed, double bin_hz,
-                     ExpectedSpectra& expected) {
+void add_as_they_are(const pem::WheelTransfers& transfers, const std::vector<pem::DelayedSpectrum>& sources,
+                     const std::vector<double>& wheels, double speed, double bin_hz, ExpectedSpectra& expected) {
     const std::size_t bins = expected.bins(), channels = expected.channels;
     if (sources.empty()) return;
     const FineGrid at_bins{bin_hz, expected.first_bin, bins};
@@ -97,9 +99,13 @@ void add_as_they_are(const pem::WheelTransfers& transfers, const std::vector<pem
     }
 }
 
-void add_wheels_own(const pem::CaseParameters& parameters, const pem::WheelTransfers& transfers, const pem::DelayedSpectrum& source, const std::vector<double>& wheels, double speed,
-                    double bin_hz, ExpectedSpectra& expected) {
-    std::vector<pem::DelayedSpectrum> own(4, {.name = "wheels_own", .psd_m2_per_hz = [&](double f) { return parameters.wheels_own.at(f) * source.psd_m2_per_hz(f); }, .share = {}});
+void add_wheels_own(const pem::CaseParameters& parameters, const pem::WheelTransfers& transfers,
+                    const pem::DelayedSpectrum& source, const std::vector<double>& wheels, double speed, double bin_hz,
+                    ExpectedSpectra& expected) {
+    std::vector<pem::DelayedSpectrum> own(
+        4, {.name = "wheels_own",
+            .psd_m2_per_hz = [&](double f) { return parameters.wheels_own.at(f) * source.psd_m2_per_hz(f); },
+            .share = {}});
     for (std::size_t wheel = 0; wheel < 4; ++wheel) own[wheel].share[wheel] = 1.0;
     add_as_they_are(transfers, own, wheels, speed, bin_hz, expected);
 }

@@ -25,7 +25,8 @@ double excess(const Fit& fit, const LikelihoodContext& context) {
         const std::size_t size = observation.channels.size();
         for (std::size_t bin = 0; bin < observation.bins(); ++bin) {
             const Eigen::MatrixXcd model = complete_prediction(fit.trial, observation, o, fit.predictions[o], bin);
-            const Eigen::Map<const Eigen::MatrixXcd> estimate(&data.values[bin * size * size], static_cast<long>(size), static_cast<long>(size));
+            const Eigen::Map<const Eigen::MatrixXcd> estimate(&data.values[bin * size * size], static_cast<long>(size),
+                                                              static_cast<long>(size));
             sum += data.averages * (model.llt().solve(estimate).trace().real() - static_cast<double>(size));
         }
     }
@@ -34,14 +35,18 @@ double excess(const Fit& fit, const LikelihoodContext& context) {
 
 }  // namespace
 
-FigureScale::FigureScale(const Fit& diagnosed, const LikelihoodContext& context) : diagnosed_(diagnosed), context_(context) {
+FigureScale::FigureScale(const Fit& diagnosed, const LikelihoodContext& context)
+    : diagnosed_(diagnosed), context_(context) {
     const LikelihoodContext held = of_part(context, Part::held_out);
-    unseen_reference_ = log_likelihood(diagnosed.trial, diagnosed.predictions, held) + excess(diagnosed, held) - scalar_log_likelihood(diagnosed.trial, diagnosed.predictions, held);
+    unseen_reference_ = log_likelihood(diagnosed.trial, diagnosed.predictions, held) + excess(diagnosed, held) -
+                        scalar_log_likelihood(diagnosed.trial, diagnosed.predictions, held);
 }
 
 FitFigures FigureScale::of(const Trial& trial, const Predictions& predictions, Part part) const {
-    const Stages stages{&trial, &predictions, &trial, &predictions, &diagnosed_.trial, &diagnosed_.predictions};  // of which the last only says what speaks
-    return {rms_db(compare_channels(stages, *context_.observations, part), Stage::retuned), log_likelihood_of(trial, predictions, part) / seconds(part)};
+    // of which the last only says what speaks
+    const Stages stages{&trial, &predictions, &trial, &predictions, &diagnosed_.trial, &diagnosed_.predictions};
+    return {rms_db(compare_channels(stages, *context_.observations, part), Stage::retuned),
+            log_likelihood_of(trial, predictions, part) / seconds(part)};
 }
 
 double FigureScale::seconds(Part part) const {
@@ -51,7 +56,8 @@ double FigureScale::seconds(Part part) const {
 }
 
 double FigureScale::log_likelihood_of(const Trial& trial, const Predictions& predictions, Part part) const {
-    return log_likelihood(trial, predictions, of_part(context_, part)) - (part == Part::held_out ? unseen_reference_ : 0.0);
+    return log_likelihood(trial, predictions, of_part(context_, part)) -
+           (part == Part::held_out ? unseen_reference_ : 0.0);
 }
 
 }  // namespace railpem::diagnosis

@@ -10,7 +10,9 @@ namespace railpem::diagnosis {
 std::vector<double> force_reference(const Observation& observation, const std::vector<double>& nodes) {
     constexpr double kMass_kg = 1000.0, kSide = 1.41;  ///< either side of a node: half an octave
     const std::size_t size = observation.channels.size();
-    const auto is_bogie = [&](std::size_t c) { return pem::response_names()[observation.channels[c].response].where.starts_with("bogie"); };
+    const auto is_bogie = [&](std::size_t c) {
+        return pem::response_names()[observation.channels[c].response].where.starts_with("bogie");
+    };
     bool any_bogie = false;
     for (std::size_t c = 0; c < size; ++c) any_bogie = any_bogie || is_bogie(c);
     std::vector<double> reference;
@@ -21,7 +23,8 @@ std::vector<double> force_reference(const Observation& observation, const std::v
             if (f < node / kSide || f > node * kSide) continue;
             for (std::size_t c = 0; c < size; ++c) {
                 if (any_bogie && !is_bogie(c)) continue;
-                sum += observation.fitted.values[bin * size * size + c * (size + 1)].real() * std::pow(2.0 * std::numbers::pi * f, 2 * observation.channels[c].integrations);
+                sum += observation.fitted.values[bin * size * size + c * (size + 1)].real() *
+                       std::pow(2.0 * std::numbers::pi * f, 2 * observation.channels[c].integrations);
                 count += 1.0;
             }
         }

@@ -7,7 +7,8 @@
 
 namespace railpem::diagnosis {
 
-/// Reference of forces of a suspension's own in a recording: what shakes a ton as the recorded bogies shake (without them all channels of the vehicle), N²/Hz, at `nodes`; of the part that fits see.
+/// Reference of forces of a suspension's own in a recording: what shakes a ton as the recorded bogies shake (without
+/// them all channels of the vehicle), N²/Hz, at `nodes`; of the part that fits see.
 std::vector<double> force_reference(const Observation& observation, const std::vector<double>& nodes);
 
 }  // namespace railpem::diagnosis

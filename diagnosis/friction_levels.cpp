@@ -26,7 +26,8 @@ pem::Linearisation linearisation_of(const pem::CaseParameters& parameters, doubl
 
 }  // namespace
 
-std::vector<FrictionLevel> friction_levels(const Trial& trial, const BelievedCase& believed, const std::vector<Observation>& observations) {
+std::vector<FrictionLevel> friction_levels(const Trial& trial, const BelievedCase& believed,
+                                           const std::vector<Observation>& observations) {
     FrictionLevel primary{.stage = Element::primary}, secondary{.stage = Element::secondary};
     for (const Observation& observation : observations) {
         if (observation.scalar || observation.speed_m_per_s == 0.0) continue;
@@ -45,9 +46,12 @@ std::vector<FrictionLevel> friction_levels(const Trial& trial, const BelievedCas
 std::vector<std::string> said_of_friction(const std::vector<FrictionLevel>& levels) {
     std::vector<std::string> said;
     for (const FrictionLevel& own : levels) {
-        const std::string slowest = fmt::format("{:.2g}", 1000.0 * own.slowest_m_per_s), fastest = fmt::format("{:.2g}", 1000.0 * own.fastest_m_per_s);
-        said.push_back(fmt::format("the friction of the {} suspension is known at velocities of {} mm/s (rms) across an element: at lower and higher ones it may be another", element_name(own.stage),
-                                   slowest == fastest ? slowest : slowest + " to " + fastest));
+        const std::string slowest = fmt::format("{:.2g}", 1000.0 * own.slowest_m_per_s),
+                          fastest = fmt::format("{:.2g}", 1000.0 * own.fastest_m_per_s);
+        said.push_back(
+            fmt::format("the friction of the {} suspension is known at velocities of {} mm/s (rms) across an element: "
+                        "at lower and higher ones it may be another",
+                        element_name(own.stage), slowest == fastest ? slowest : slowest + " to " + fastest));
     }
     return said;
 }

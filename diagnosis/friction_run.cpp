@@ -20,14 +20,16 @@ constexpr double kFactors[] = {1.0, 0.6, 1.5};  // of the speed
 
 /// Null where all recordings are of the track alone.
 const Observation* first_of_vehicle(const LikelihoodContext& context) {
-    const auto found = std::find_if(context.observations->begin(), context.observations->end(), [](const Observation& own) { return !own.scalar; });
+    const auto found = std::find_if(context.observations->begin(), context.observations->end(),
+                                    [](const Observation& own) { return !own.scalar; });
     return found == context.observations->end() ? nullptr : &*found;
 }
 
 /// The channels of `known` as accelerations, at another speed.
 Observation run_like(const Observation& known, double speed, const BelievedCase& believed) {
     std::vector<std::string> responses;
-    for (const ObservedChannel& channel : known.channels) responses.push_back(pem::response_names()[channel.response].where);
+    for (const ObservedChannel& channel : known.channels)
+        responses.push_back(pem::response_names()[channel.response].where);
     ObservationOptions options;
     options.window_s = 1.0 / known.kernel.bin_hz();
     options.low_hz = known.expectation.low_hz;
@@ -79,7 +81,10 @@ std::string would_tell_friction(const Fit& fit, const LikelihoodContext& context
         } catch (const parameters::ParameterError&) {
         }
     if (!best) return "a test of the damper alone";
-    return fmt::format("a minute at {:.0f} km/h, after which the power of the forces that friction has beside its damping is known to +- {:.2g} of a constant force's", 3.6 * speed, *best);
+    return fmt::format(
+        "a minute at {:.0f} km/h, after which the power of the forces that friction has beside its damping is known to "
+        "+- {:.2g} of a constant force's",
+        3.6 * speed, *best);
 }
 
 }  // namespace railpem::diagnosis

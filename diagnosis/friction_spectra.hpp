@@ -10,7 +10,8 @@ namespace railpem::diagnosis {
 
 bool has_friction(const pem::CaseParameters& parameters);
 
-/// The excitation, the rail on the lines on which velocities are asked for, and the power of the forces over that of a constant friction force.
+/// The excitation, the rail on the lines on which velocities are asked for, and the power of the forces over that of a
+/// constant friction force.
 struct LevelLines {
     const std::vector<pem::Source>& sources;
     const std::vector<pem::RailGroup>& rails;  ///< pem::linearisation_rails()
@@ -19,13 +20,17 @@ struct LevelLines {
 };
 
 /// Adds the responses to the forces of friction (pem::friction_distortion), stage by stage.
-void add_friction(const pem::CaseParameters& parameters, const SolvedLines& solved, const LevelLines& level, const std::vector<ObservedChannel>& channels, double bin_hz,
-                  ExpectedSpectra& expected);
+void add_friction(const pem::CaseParameters& parameters, const SolvedLines& solved, const LevelLines& level,
+                  const std::vector<ObservedChannel>& channels, double bin_hz, ExpectedSpectra& expected);
 
-/// What constant friction does beyond its linearisation, of a solved and linearised case; `level.sources` and `level.rails` as above.
-StageFriction realised_friction(const pem::CaseParameters& parameters, const pem::CoupledModel& model, const LevelLines& level);
+/// What constant friction does beyond its linearisation, of a solved and linearised case; `level.sources` and
+/// `level.rails` as above.
+StageFriction realised_friction(const pem::CaseParameters& parameters, const pem::CoupledModel& model,
+                                const LevelLines& level);
 
-/// Adds to the transfers from the wheels, on the lines of `solved` and with what their sensors do, what comes of friction's damping beyond its linearisation.
-void follow_damping(const pem::CaseParameters& parameters, const SolvedLines& solved, const StageFriction& realised, const std::vector<ObservedChannel>& channels, pem::WheelTransfers& transfers);
+/// Adds to the transfers from the wheels, on the lines of `solved` and with what their sensors do, what comes of
+/// friction's damping beyond its linearisation.
+void follow_damping(const pem::CaseParameters& parameters, const SolvedLines& solved, const StageFriction& realised,
+                    const std::vector<ObservedChannel>& channels, pem::WheelTransfers& transfers);
 
 }  // namespace railpem::diagnosis

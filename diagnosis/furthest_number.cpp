@@ -18,7 +18,9 @@ struct Distance {
 bool is_free(const FittedSet& set) {
     constexpr std::array<const char*, 3> kParts{"vehicle.", "track.", "contact."};
     return std::all_of(kParts.begin(), kParts.end(), [&](const char* part) {
-        return std::any_of(set.fit.unknowns.begin(), set.fit.unknowns.end(), [&](const Unknown& own) { return own.kind == UnknownKind::number && own.name.starts_with(part); });
+        return std::any_of(set.fit.unknowns.begin(), set.fit.unknowns.end(), [&](const Unknown& own) {
+            return own.kind == UnknownKind::number && own.name.starts_with(part);
+        });
     });
 }
 
@@ -28,7 +30,9 @@ std::vector<Distance> distances(const FittedSet& set) {
     for (std::size_t u = 0; u < set.fit.unknowns.size(); ++u) {
         const Unknown& own = set.fit.unknowns[u];
         const bool released = std::find(set.released.begin(), set.released.end(), own.name) != set.released.end();
-        if (own.kind == UnknownKind::number && !released) distances.push_back({(set.fit.values[u] - own.mean) / own.deviation, scale * power_of_scale(own.name) / own.deviation});
+        if (own.kind == UnknownKind::number && !released)
+            distances.push_back(
+                {(set.fit.values[u] - own.mean) / own.deviation, scale * power_of_scale(own.name) / own.deviation});
     }
     return distances;
 }
@@ -38,11 +42,14 @@ std::vector<Distance> distances(const FittedSet& set) {
 double power_of_scale(const std::string& key) {
     if (key == "contact.constant_m_per_n23") return -2.0 / 3.0;
     const std::string name = key.substr(key.rfind('.') + 1);
-    constexpr std::array<const char*, 6> kForces{"_kg", "_kg_m2", "_kg_per_m", "_n_per_m", "_n_s_per_m", "second_moment_of_area_m4"};
-    return std::any_of(kForces.begin(), kForces.end(), [&](const char* end) { return name.ends_with(end); }) ? 1.0 : 0.0;
+    constexpr std::array<const char*, 6> kForces{"_kg",      "_kg_m2",     "_kg_per_m",
+                                                 "_n_per_m", "_n_s_per_m", "second_moment_of_area_m4"};
+    return std::any_of(kForces.begin(), kForces.end(), [&](const char* end) { return name.ends_with(end); }) ? 1.0
+                                                                                                             : 0.0;
 }
 
-// Least squares over the others, each by its tolerance: a number that is off is not to move the scale that it is held against.
+// Least squares over the others, each by its tolerance: a number that is off is not to move the scale that it is held
+// against.
 double furthest_number(const FittedSet& set) {
     const std::vector<Distance> all = distances(set);
     double product = 0.0, square = 0.0, furthest = 0.0;

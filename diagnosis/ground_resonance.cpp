@@ -11,9 +11,11 @@ constexpr double kFalls = 3.0;
 /// Behind the pads, with what helps there; in the place of what the support had by itself.
 void add_ground(std::vector<PlaceEvidence>& ranked, double resonance_hz) {
     std::erase_if(ranked, [](const PlaceEvidence& own) { return own.element == Element::support; });
-    const auto pad = std::find_if(ranked.begin(), ranked.end(), [](const PlaceEvidence& own) { return own.element == Element::pad; });
+    const auto pad = std::find_if(ranked.begin(), ranked.end(),
+                                  [](const PlaceEvidence& own) { return own.element == Element::pad; });
     const double nats = pad == ranked.end() ? 0.0 : pad->nats;
-    ranked.insert(pad == ranked.end() ? pad : pad + 1, {.element = Element::support, .nats = nats, .forces = true, .resonance_hz = resonance_hz});
+    ranked.insert(pad == ranked.end() ? pad : pad + 1,
+                  {.element = Element::support, .nats = nats, .forces = true, .resonance_hz = resonance_hz});
 }
 
 }  // namespace
@@ -24,7 +26,8 @@ std::optional<double> resonance_of(const pem::WheelsOwn& own) {
     if (share.size() < 3 || most == 0 || most + 1 == share.size()) return std::nullopt;
     const auto has_fallen = [&](std::size_t node) { return kFalls * share[node] <= share[most]; };
     const bool left = has_fallen(most - 1), right = has_fallen(most + 1);
-    const bool left_of_two = most >= 2 && has_fallen(most - 2), right_of_two = most + 2 < share.size() && has_fallen(most + 2);
+    const bool left_of_two = most >= 2 && has_fallen(most - 2),
+               right_of_two = most + 2 < share.size() && has_fallen(most + 2);
     if ((left && right) || (left && right_of_two) || (left_of_two && right)) return own.frequency_hz[most];
     return std::nullopt;
 }

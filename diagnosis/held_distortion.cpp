@@ -30,7 +30,8 @@ std::vector<double> power_of(const Observation& observation, const std::vector<s
 }
 
 /// Recorded by believed, in thirds of an octave about every bin.
-std::vector<double> ratio_of(const std::vector<double>& recorded, const std::vector<double>& believed, std::size_t first_bin) {
+std::vector<double> ratio_of(const std::vector<double>& recorded, const std::vector<double>& believed,
+                             std::size_t first_bin) {
     std::vector<double> ratio;
     for (std::size_t bin = 0; bin < recorded.size(); ++bin) {
         double own = 0.0, other = 0.0;
@@ -54,8 +55,10 @@ void hold_contact_distortion(Observation& observation, const pem::CaseParameters
     parameters.solver.moving = true;
     parameters.frequency.to_hz = observation.expectation.high_hz;
     observation.expectation.contacts = {};
-    const ExpectedSpectra expected = expected_spectra(parameters, observation.speed_m_per_s, observation.kernel, observation.channels, {}, observation.expectation);
-    const std::vector<double> ratio = ratio_of(power_of(observation, observation.all.values), power_of(observation, expected.values), observation.first_bin());
+    const ExpectedSpectra expected = expected_spectra(parameters, observation.speed_m_per_s, observation.kernel,
+                                                      observation.channels, {}, observation.expectation);
+    const std::vector<double> ratio = ratio_of(power_of(observation, observation.all.values),
+                                               power_of(observation, expected.values), observation.first_bin());
     const double bin_hz = observation.kernel.bin_hz();
     const auto first = static_cast<long>(observation.first_bin());
     const auto at = [&](double frequency) {

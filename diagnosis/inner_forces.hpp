@@ -31,15 +31,17 @@ struct LineTable {
     RowMatrix at(double frequency_hz) const;
 };
 
-/// Adds the responses to forces in the elements of a stage, `psd`(f) their cross-spectra, N²/Hz. Evaluated in the middle of every bin: their spectra are broad, and so are the modes of a suspension
-/// beside a window of seconds.
-void add_inner_forces(const pem::CaseParameters& parameters, const SolvedLines& solved, vehicle::Law law, const std::function<RowMatrix(double frequency_hz)>& psd,
+/// Adds the responses to forces in the elements of a stage, `psd`(f) their cross-spectra, N²/Hz. Evaluated in the
+/// middle of every bin: their spectra are broad, and so are the modes of a suspension beside a window of seconds.
+void add_inner_forces(const pem::CaseParameters& parameters, const SolvedLines& solved, vehicle::Law law,
+                      const std::function<RowMatrix(double frequency_hz)>& psd,
                       const std::vector<ObservedChannel>& channels, double bin_hz, ExpectedSpectra& expected);
 
 /// Whether a stage has a ForceSpectrum of its own.
 bool has_own_forces(const pem::CaseParameters& parameters);
 
 /// Adds the responses to those.
-void add_own_forces(const pem::CaseParameters& parameters, const SolvedLines& solved, const std::vector<ObservedChannel>& channels, double bin_hz, ExpectedSpectra& expected);
+void add_own_forces(const pem::CaseParameters& parameters, const SolvedLines& solved,
+                    const std::vector<ObservedChannel>& channels, double bin_hz, ExpectedSpectra& expected);
 
 }  // namespace railpem::diagnosis

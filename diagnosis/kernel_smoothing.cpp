@@ -10,15 +10,16 @@ namespace {
 
 constexpr std::size_t kLanes = 4 * lanes::width;  ///< bins side by side
 
-/// One part of a response in `oversampling` interleaved sequences, so that neighbouring bins read neighbouring numbers. Zeros
-/// stand before and behind where the kernel reaches beyond the fine lines.
+/// One part of a response in `oversampling` interleaved sequences, so that neighbouring bins read neighbouring numbers.
+/// Zeros stand before and behind where the kernel reaches beyond the fine lines.
 class Polyphase {
   public:
     Polyphase(const recordings::KernelWeights& kernel, const SmoothingGrid& grid)
         : oversampling_(static_cast<std::size_t>(kernel.oversampling)),
           reach_(static_cast<std::size_t>(kernel.reach_bins) * oversampling_),
           length_(((grid.bins + kLanes - 1) / kLanes) * kLanes + 2 * static_cast<std::size_t>(kernel.reach_bins) + 1),
-          offset_(static_cast<long>(grid.first_bin * oversampling_) - static_cast<long>(reach_) - static_cast<long>(grid.first)) {
+          offset_(static_cast<long>(grid.first_bin * oversampling_) - static_cast<long>(reach_) -
+                  static_cast<long>(grid.first)) {
         for (std::size_t t = 0; t < kernel.weights.size(); ++t) taps_.push_back(tap(t));
     }
 
@@ -49,7 +50,8 @@ lanes::Real load(const double* from) {
 }
 
 /// Weighted sums over the taps for kLanes bins from `bin` on.
-void sum_taps(const recordings::KernelWeights& kernel, const Polyphase& order, const double* values, std::size_t bin, double* sum) {
+void sum_taps(const recordings::KernelWeights& kernel, const Polyphase& order, const double* values, std::size_t bin,
+              double* sum) {
     lanes::Real a{}, b{}, c{}, d{};  // in registers; an array would not stay there
     constexpr std::ptrdiff_t width = lanes::width;
     for (std::size_t t = 0; t < kernel.weights.size(); ++t) {
@@ -67,12 +69,14 @@ void sum_taps(const recordings::KernelWeights& kernel, const Polyphase& order, c
 
 }  // namespace
 
-void add_smoothed(const std::vector<std::complex<double>>& responses, std::size_t channels, const recordings::KernelWeights& kernel,
-                  const SmoothingGrid& grid, std::vector<std::complex<double>>& matrices) {
+void add_smoothed(const std::vector<std::complex<double>>& responses, std::size_t channels,
+                  const recordings::KernelWeights& kernel, const SmoothingGrid& grid,
+                  std::vector<std::complex<double>>& matrices) {
     const Polyphase order(kernel, grid);
     const std::size_t size = order.size();
     std::vector<double> re(channels * size, 0.0), im(channels * size, 0.0), product_re(size), product_im(size);
-    for (std::size_t c = 0; c < channels; ++c) order.spread(&responses[c * grid.count], grid.count, &re[c * size], &im[c * size]);
+    for (std::size_t c = 0; c < channels; ++c)
+        order.spread(&responses[c * grid.count], grid.count, &re[c * size], &im[c * size]);
     for (std::size_t a = 0; a < channels; ++a)
         for (std::size_t b = 0; b <= a; ++b) {
             const double *ar = &re[a * size], *ai = &im[a * size], *br = &re[b * size], *bi = &im[b * size];

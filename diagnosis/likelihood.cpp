@@ -22,12 +22,18 @@ using Complex = std::complex<double>;
 constexpr std::size_t kBlockBins = 8;   ///< 2 Hz of segments of 4 s
 constexpr std::size_t kChunkBins = 64;  ///< bins summed at a time, so that sums do not depend on the threads
 
-int thread_count(const LikelihoodContext& context) { return pem::thread_count(context.threads); }
+int thread_count(const LikelihoodContext& context) {
+    return pem::thread_count(context.threads);
+}
 
-const BinPower* known_power(const LikelihoodContext& context, std::size_t observation, std::size_t bin) { return context.powers ? &context.powers->at[observation][bin] : nullptr; }
+const BinPower* known_power(const LikelihoodContext& context, std::size_t observation, std::size_t bin) {
+    return context.powers ? &context.powers->at[observation][bin] : nullptr;
+}
 
 /// Averages that a bin speaks for.
-double weight_of(const LikelihoodContext& context, const MeasuredSpectra& data) { return static_cast<double>(context.every) * data.averages; }
+double weight_of(const LikelihoodContext& context, const MeasuredSpectra& data) {
+    return static_cast<double>(context.every) * data.averages;
+}
 
 /// Bins of an observation that are summed together.
 struct Chunk {
@@ -55,29 +61,34 @@ ChunkUnknowns unknowns_of(const Chunk& chunk, const std::vector<Unknown>& unknow
     const std::size_t size = observation.channels.size();
     for (const PredictionDerivative& derivative : derivatives) {
         if (derivative.observation != static_cast<int>(chunk.observation) || derivative.values.empty()) continue;
-        const std::size_t first = derivative.first_bin * size * size, from = std::max(chunk.first * size * size, first), to = std::min((chunk.first + chunk.count) * size * size, first + derivative.values.size());
+        const std::size_t first = derivative.first_bin * size * size, from = std::max(chunk.first * size * size, first),
+                          to = std::min((chunk.first + chunk.count) * size * size, first + derivative.values.size());
         bool zero = true;  // many unknowns of the irregularity move a few bins only
         for (std::size_t i = from; i < to && zero; ++i) zero = derivative.values[i - first] == 0.0;
         if (!zero) own.derivatives.push_back(&derivative);
     }
-    const int low = floor_place(observation.frequency(chunk.first)).node, high = floor_place(observation.frequency(chunk.first + chunk.count - 1)).node + 1;
+    const int low = floor_place(observation.frequency(chunk.first)).node,
+              high = floor_place(observation.frequency(chunk.first + chunk.count - 1)).node + 1;
     for (std::size_t u = 0; u < unknowns.size(); ++u) {
         const int node = unknowns[u].index % kFloorNodeCount;
-        if (unknowns[u].kind == UnknownKind::noise && unknowns[u].observation == static_cast<int>(chunk.observation)) own.noise.push_back(u);
+        if (unknowns[u].kind == UnknownKind::noise && unknowns[u].observation == static_cast<int>(chunk.observation))
+            own.noise.push_back(u);
         if (unknowns[u].kind == UnknownKind::floor && node >= low && node <= high) own.floors.push_back(u);
     }
     return own;
 }
 
 /// A derivative at a bin, where it has none `nothing`.
-const Complex* values_at(const PredictionDerivative& derivative, std::size_t bin, std::size_t elements, const std::vector<Complex>& nothing) {
+const Complex* values_at(const PredictionDerivative& derivative, std::size_t bin, std::size_t elements,
+                         const std::vector<Complex>& nothing) {
     const bool has = bin >= derivative.first_bin && (bin - derivative.first_bin) * elements < derivative.values.size();
     return has ? &derivative.values[(bin - derivative.first_bin) * elements] : nothing.data();
 }
 
 /// Columns of the noise and of the floor: derivatives of powers on the diagonal.
-void add_diagonal_columns(const Trial& trial, const std::vector<Unknown>& unknowns, const ChunkUnknowns& own, const Observation& observation,
-                          std::size_t index, const ExpectedSpectra& prediction, std::size_t bin, double amplification, WhitenedColumns& columns) {
+void add_diagonal_columns(const Trial& trial, const std::vector<Unknown>& unknowns, const ChunkUnknowns& own,
+                          const Observation& observation, std::size_t index, const ExpectedSpectra& prediction,
+                          std::size_t bin, double amplification, WhitenedColumns& columns) {
     const FloorPlace place = floor_place(observation.frequency(bin));
     const std::array<double, kFloorGroups> floors = floors_at(trial, observation.frequency(bin), 0.0);
     const std::size_t size = prediction.channels;
@@ -92,14 +103,17 @@ void add_diagonal_columns(const Trial& trial, const std::vector<Unknown>& unknow
         const auto group = static_cast<std::size_t>(unknowns[u].index / kFloorNodeCount);
         const double share = node == place.node ? 1.0 - place.share : node == place.node + 1 ? place.share : 0.0;
         for (std::size_t c = 0; c < size && share > 0.0; ++c)
-            if (floor_group(observation.channels[c].response) == group) columns.add_diagonal(column, c, amplification * 2.0 * share * floors[group] * model[c * (size + 1)].real());
+            if (floor_group(observation.channels[c].response) == group)
+                columns.add_diagonal(column, c,
+                                     amplification * 2.0 * share * floors[group] * model[c * (size + 1)].real());
         ++column;
     }
 }
 
 /// The sums over one chunk.
-LikelihoodSlope chunk_slope(const Chunk& chunk, const Trial& trial, const std::vector<Unknown>& unknowns, const Predictions& predictions,
-                            const std::vector<PredictionDerivative>& derivatives, const LikelihoodContext& context) {
+LikelihoodSlope chunk_slope(const Chunk& chunk, const Trial& trial, const std::vector<Unknown>& unknowns,
+                            const Predictions& predictions, const std::vector<PredictionDerivative>& derivatives,
+                            const LikelihoodContext& context) {
     const std::size_t o = chunk.observation;
     const Observation& observation = (*context.observations)[o];
     const MeasuredSpectra& data = measured(observation, context.part);
@@ -112,13 +126,18 @@ LikelihoodSlope chunk_slope(const Chunk& chunk, const Trial& trial, const std::v
     WhitenedBin white;
     const double weight = weight_of(context, data);
     for (std::size_t bin = chunk.first; bin < chunk.first + chunk.count; bin += context.every) {
-        whiten(trial, observation, o, predictions[o], data, bin, context.least_floor, known_power(context, o, bin), white);
+        whiten(trial, observation, o, predictions[o], data, bin, context.least_floor, known_power(context, o, bin),
+               white);
         slope.log_likelihood += weight * white.log_likelihood;
         if (!std::isfinite(white.log_likelihood)) continue;
-        const std::array<double, kFloorGroups> floors = floors_at(trial, observation.frequency(bin), context.least_floor);
-        for (std::size_t c = 0; c < size; ++c) diagonal[c] = 1.0 + floors[floor_group(observation.channels[c].response)];  // the floor grows with the prediction
+        const std::array<double, kFloorGroups> floors =
+            floors_at(trial, observation.frequency(bin), context.least_floor);
+        // the floor grows with the prediction
+        for (std::size_t c = 0; c < size; ++c)
+            diagonal[c] = 1.0 + floors[floor_group(observation.channels[c].response)];
         columns.begin(white.inverse_factor, white.amplification);
-        for (std::size_t d = 0; d < own.derivatives.size(); ++d) columns.set(d, values_at(*own.derivatives[d], bin, size * size, nothing), diagonal.data());
+        for (std::size_t d = 0; d < own.derivatives.size(); ++d)
+            columns.set(d, values_at(*own.derivatives[d], bin, size * size, nothing), diagonal.data());
         columns.whiten();
         add_diagonal_columns(trial, unknowns, own, observation, o, predictions[o], bin, white.amplification, columns);
         columns.end(white.residual, white.scale, white.projection);
@@ -135,7 +154,8 @@ LikelihoodSlope chunk_slope(const Chunk& chunk, const Trial& trial, const std::v
     slope.information = Eigen::MatrixXd::Zero(static_cast<long>(unknowns.size()), static_cast<long>(unknowns.size()));
     for (long i = 0; i < count; ++i) {
         slope.gradient(at[static_cast<std::size_t>(i)]) += gradient(i);
-        for (long j = 0; j <= i; ++j) slope.information(at[static_cast<std::size_t>(i)], at[static_cast<std::size_t>(j)]) += information(i, j);
+        for (long j = 0; j <= i; ++j)
+            slope.information(at[static_cast<std::size_t>(i)], at[static_cast<std::size_t>(j)]) += information(i, j);
     }
     return slope;
 }
@@ -164,30 +184,38 @@ Eigen::MatrixXcd complete_prediction(const Trial& trial, const Observation& obse
     return model;
 }
 
-ExpectedSpectra predict_one(const Trial& trial, const LikelihoodContext& context, std::size_t o, const ExpectationCache* known, Reuse reuse,
-                            ExpectationCache* filled) {
+ExpectedSpectra predict_one(const Trial& trial, const LikelihoodContext& context, std::size_t o,
+                            const ExpectationCache* known, Reuse reuse, ExpectationCache* filled) {
     const Observation& observation = (*context.observations)[o];
     const pem::CaseParameters parameters = case_of(trial, *context.believed, observation);
-    if (context.effort) context.effort->add(effort_of_prediction(parameters, observation.scalar ? observation.scalar->values.size() : observation.bins(), reuse, observation.expectation.sharp));
+    if (context.effort)
+        context.effort->add(effort_of_prediction(
+            parameters, observation.scalar ? observation.scalar->values.size() : observation.bins(), reuse,
+            observation.expectation.sharp));
     if (!observation.scalar) {
-        ExpectedSpectra spectra = expected_spectra(parameters, trial.speed_m_per_s[o], observation.kernel, observation.channels, {},
-                                                   observation.expectation, known, reuse, filled);
+        ExpectedSpectra spectra =
+            expected_spectra(parameters, trial.speed_m_per_s[o], observation.kernel, observation.channels, {},
+                             observation.expectation, known, reuse, filled);
         scale_channels(trial.log_gain[o], spectra.values);
         return spectra;
     }
-    ExpectedSpectra result{.values = predict_scalars(parameters, trial.speed_m_per_s[o], observation, known, reuse, filled)};
+    ExpectedSpectra result{.values =
+                               predict_scalars(parameters, trial.speed_m_per_s[o], observation, known, reuse, filled)};
     for (std::size_t i = 0; i < result.values.size() && !trial.log_gain[o].empty(); ++i)
         result.values[i] += trial.log_gain[o][observation.scalar->values[i].channel];
     return result;
 }
 
-ExpectedSpectra predict_like(const Predictions& similar, const Trial& trial, const LikelihoodContext& context, std::size_t o, Reuse reuse) {
-    return similar.caches.empty() ? predict_one(trial, context, o) : predict_one(trial, context, o, &similar.caches[o], reuse);
+ExpectedSpectra predict_like(const Predictions& similar, const Trial& trial, const LikelihoodContext& context,
+                             std::size_t o, Reuse reuse) {
+    return similar.caches.empty() ? predict_one(trial, context, o)
+                                  : predict_one(trial, context, o, &similar.caches[o], reuse);
 }
 
 Predictions predict(const Trial& trial, const LikelihoodContext& context) {
     const std::vector<Observation>& observations = *context.observations;
-    Predictions predictions{std::vector<ExpectedSpectra>(observations.size()), std::vector<ExpectationCache>(observations.size())};
+    Predictions predictions{std::vector<ExpectedSpectra>(observations.size()),
+                            std::vector<ExpectationCache>(observations.size())};
     std::exception_ptr failure;
 #pragma omp parallel for schedule(dynamic, 1) num_threads(thread_count(context))
     for (std::size_t o = 0; o < observations.size(); ++o) try {
@@ -228,7 +256,8 @@ double log_likelihood(const Trial& trial, const Predictions& predictions, const 
         const MeasuredSpectra& data = measured(observations[chunk.observation], context.part);
         WhitenedBin white;
         for (std::size_t bin = chunk.first; bin < chunk.first + chunk.count; bin += context.every) {
-            whiten(trial, observations[chunk.observation], chunk.observation, predictions[chunk.observation], data, bin, context.least_floor, known_power(context, chunk.observation, bin), white);
+            whiten(trial, observations[chunk.observation], chunk.observation, predictions[chunk.observation], data, bin,
+                   context.least_floor, known_power(context, chunk.observation, bin), white);
             sums[i] += weight_of(context, data) * white.log_likelihood;
         }
     }
@@ -240,7 +269,8 @@ BinPowers bin_powers(const Trial& trial, const Predictions& predictions, const L
     count_likelihood(context, 0);
     const std::vector<Observation>& observations = *context.observations;
     BinPowers powers;
-    for (const Observation& observation : observations) powers.at.emplace_back(observation.scalar ? 0 : observation.bins());
+    for (const Observation& observation : observations)
+        powers.at.emplace_back(observation.scalar ? 0 : observation.bins());
     const std::vector<Chunk> chunks = chunks_of(observations);
     std::vector<double> sums(chunks.size(), 0.0);
 #pragma omp parallel for schedule(dynamic, 1) num_threads(thread_count(context))
@@ -248,7 +278,8 @@ BinPowers bin_powers(const Trial& trial, const Predictions& predictions, const L
         const std::size_t o = chunks[i].observation;
         const MeasuredSpectra& data = measured(observations[o], context.part);
         WhitenedBin white;
-        for (std::size_t bin = chunks[i].first; bin < chunks[i].first + chunks[i].count && !observations[o].scalar; bin += context.every) {
+        for (std::size_t bin = chunks[i].first; bin < chunks[i].first + chunks[i].count && !observations[o].scalar;
+             bin += context.every) {
             whiten(trial, observations[o], o, predictions[o], data, bin, context.least_floor, nullptr, white);
             powers.at[o][bin] = {white.processes, std::log(white.amplification), white.bend};
             sums[i] += weight_of(context, data) * white.log_likelihood;
@@ -260,31 +291,40 @@ BinPowers bin_powers(const Trial& trial, const Predictions& predictions, const L
 
 namespace {
 
-std::vector<LikelihoodSlope> chunk_slopes(const std::vector<Chunk>& chunks, const Trial& trial, const std::vector<Unknown>& unknowns, const Predictions& predictions,
-                                          const std::vector<PredictionDerivative>& derivatives, const LikelihoodContext& context) {
+std::vector<LikelihoodSlope> chunk_slopes(const std::vector<Chunk>& chunks, const Trial& trial,
+                                          const std::vector<Unknown>& unknowns, const Predictions& predictions,
+                                          const std::vector<PredictionDerivative>& derivatives,
+                                          const LikelihoodContext& context) {
     count_likelihood(context, unknowns.size());
     std::vector<LikelihoodSlope> parts(chunks.size());
 #pragma omp parallel for schedule(dynamic, 1) num_threads(thread_count(context))
-    for (std::size_t i = 0; i < chunks.size(); ++i) parts[i] = chunk_slope(chunks[i], trial, unknowns, predictions, derivatives, context);
+    for (std::size_t i = 0; i < chunks.size(); ++i)
+        parts[i] = chunk_slope(chunks[i], trial, unknowns, predictions, derivatives, context);
     return parts;
 }
 
 }  // namespace
 
-std::vector<GradientBlock> gradient_blocks(const Trial& trial, const std::vector<Unknown>& unknowns, const Predictions& predictions,
-                                           const std::vector<PredictionDerivative>& derivatives, const LikelihoodContext& context) {
+std::vector<GradientBlock> gradient_blocks(const Trial& trial, const std::vector<Unknown>& unknowns,
+                                           const Predictions& predictions,
+                                           const std::vector<PredictionDerivative>& derivatives,
+                                           const LikelihoodContext& context) {
     const std::vector<Chunk> chunks = chunks_of(*context.observations, kBlockBins);
     const std::vector<LikelihoodSlope> parts = chunk_slopes(chunks, trial, unknowns, predictions, derivatives, context);
     std::vector<GradientBlock> blocks;
     for (std::size_t i = 0; i < chunks.size(); ++i)
         if (!(*context.observations)[chunks[i].observation].scalar)
-            blocks.push_back({chunks[i].observation, (*context.observations)[chunks[i].observation].frequency(chunks[i].first), parts[i].gradient});
+            blocks.push_back({chunks[i].observation,
+                              (*context.observations)[chunks[i].observation].frequency(chunks[i].first),
+                              parts[i].gradient});
     return blocks;
 }
 
-LikelihoodSlope likelihood_slope(const Trial& trial, const std::vector<Unknown>& unknowns, const Predictions& predictions,
-                                 const std::vector<PredictionDerivative>& derivatives, const LikelihoodContext& context) {
-    const std::vector<LikelihoodSlope> parts = chunk_slopes(chunks_of(*context.observations), trial, unknowns, predictions, derivatives, context);
+LikelihoodSlope likelihood_slope(const Trial& trial, const std::vector<Unknown>& unknowns,
+                                 const Predictions& predictions, const std::vector<PredictionDerivative>& derivatives,
+                                 const LikelihoodContext& context) {
+    const std::vector<LikelihoodSlope> parts =
+        chunk_slopes(chunks_of(*context.observations), trial, unknowns, predictions, derivatives, context);
     const long count = static_cast<long>(unknowns.size());
     LikelihoodSlope total{.gradient = Eigen::VectorXd::Zero(count), .information = Eigen::MatrixXd::Zero(count, count)};
     for (const LikelihoodSlope& part : parts) {

@@ -19,8 +19,9 @@ struct LocatedEvidence {
 /// Every element of the structure with its best place (the best channel for sensors), most evident first.
 std::vector<LocatedEvidence> locate(const Fit& fit, const LikelihoodContext& context);
 
-/// Whether a place of the structure is evident among those that are `left`: a tenth of the most evident one's nats, and no less than `chance` if that itself is as little. Sensors do not count: free at every frequency, one
-/// imitates what its channel shows most.
+/// Whether a place of the structure is evident among those that are `left`: a tenth of the most evident one's nats, and
+/// no less than `chance` if that itself is as little. Sensors do not count: free at every frequency, one imitates what
+/// its channel shows most.
 bool is_evident_among(const std::vector<LocatedEvidence>& left, Element element, double chance);
 
 }  // namespace railpem::diagnosis

@@ -7,12 +7,17 @@
 namespace railpem::diagnosis {
 
 bool is_approximate(const FittedSet& set) {
-    return std::any_of(set.effects.begin(), set.effects.end(), [](const Candidate& member) { return find_effect(member.instance.effect)->approximate; });
+    return std::any_of(set.effects.begin(), set.effects.end(),
+                       [](const Candidate& member) { return find_effect(member.instance.effect)->approximate; });
 }
 
-double share_left(const FittedSet& set) { return is_approximate(set) ? 0.03 : 0.005; }
+double share_left(const FittedSet& set) {
+    return is_approximate(set) ? 0.03 : 0.005;
+}
 
-double nats_left(const FittedSet& set, double retuned_score, double least) { return std::max(least, share_left(set) * (set.score() - retuned_score)); }
+double nats_left(const FittedSet& set, double retuned_score, double least) {
+    return std::max(least, share_left(set) * (set.score() - retuned_score));
+}
 
 double misfit_left(const FittedSet& set, double retuned_score, double least) {
     return std::max(least, (is_approximate(set) ? 0.25 : 0.005) * (set.score() - retuned_score));
@@ -32,7 +37,9 @@ bool misses_much(const Fit& fit, const LikelihoodContext& context) {
 }
 
 bool is_doubtful(const FittedSet& set) {
-    const auto is_structure = [](const Candidate& own) { return element_of(*find_effect(own.instance.effect), own.instance) != Element::sensor; };
+    const auto is_structure = [](const Candidate& own) {
+        return element_of(*find_effect(own.instance.effect), own.instance) != Element::sensor;
+    };
     return !set.released.empty() && std::any_of(set.effects.begin(), set.effects.end(), is_structure);
 }
 

@@ -18,7 +18,8 @@ namespace railpem::diagnosis {
 namespace {
 
 constexpr std::size_t kFewestBins = 20;
-constexpr double kTransferStep = 0.125;  ///< Hz: what an axle box leaves unsaid by the others, 1e-5 of its power, is met within 2 %
+/// Hz: what an axle box leaves unsaid by the others, 1e-5 of its power, is met within 2 %
+constexpr double kTransferStep = 0.125;
 constexpr double kCoarseTransferStep = 0.5;  ///< 3e-5 of that power: nothing where the floor is a tenth
 constexpr double kRailStep = 2.0;            ///< Hz
 
@@ -79,10 +80,12 @@ void set_band(Observation& observation, const recordings::WindowKernel& kernel, 
     const auto [longest, shortest] = wavelengths(believed.irregularity);
     const double v = observation.speed_m_per_s;
     if (!(v > 0.0))
-        throw parameters::ParameterError("speed_m_per_s", "is missing: a time series is told from others by how fast the irregularity passes",
-                                         "the mean speed in m/s, to a percent or so (its error is estimated)");
+        throw parameters::ParameterError(
+            "speed_m_per_s", "is missing: a time series is told from others by how fast the irregularity passes",
+            "the mean speed in m/s, to a percent or so (its error is estimated)");
     observation.expectation.low_hz = std::max(options.low_hz, v / longest / kBandEdge);
-    observation.expectation.high_hz = std::min({options.high_hz, kBandEdge * v / shortest, 0.4 * kernel.sampling_rate_hz});
+    observation.expectation.high_hz =
+        std::min({options.high_hz, kBandEdge * v / shortest, 0.4 * kernel.sampling_rate_hz});
     observation.expectation.oversampling = oversampling_of(1.0 / kernel.bin_hz(), believed, v);
     observation.expectation.weights = expectation_weights(kernel, observation.expectation.oversampling);
     observation.expectation.transfer_step_hz = kTransferStep;
@@ -90,8 +93,9 @@ void set_band(Observation& observation, const recordings::WindowKernel& kernel, 
     observation.expectation.threads = 1;  // many evaluations run side by side
     if (band_bins(observation) < kFewestBins)
         throw parameters::ParameterError(
-            "speed_m_per_s", fmt::format("at {:g} m/s no usable band is left between {:.3g} and {:.3g} Hz", v,
-                                         observation.expectation.low_hz, observation.expectation.high_hz),
+            "speed_m_per_s",
+            fmt::format("at {:g} m/s no usable band is left between {:.3g} and {:.3g} Hz", v,
+                        observation.expectation.low_hz, observation.expectation.high_hz),
             "a speed at which the irregularity of the case excites the band of the recording");
 }
 
@@ -112,7 +116,8 @@ void set_log_determinants(MeasuredSpectra& measured, std::size_t channels, doubl
 namespace {
 
 /// Spectra of all parts of a recording in windows of one length.
-Observation windowed(const recordings::Recording& recording, Observation observation, const pem::CaseParameters& believed, const ObservationOptions& options, double window_s) {
+Observation windowed(const recordings::Recording& recording, Observation observation,
+                     const pem::CaseParameters& believed, const ObservationOptions& options, double window_s) {
     const recordings::TimeSeries& series = recording.series;
     const double held_from = series.duration_s() * (1.0 - options.held_out_share);
     const recordings::SegmentOptions segments{.window_s = window_s};
@@ -122,8 +127,9 @@ Observation windowed(const recordings::Recording& recording, Observation observa
         throw parameters::ParameterError("channel", "none of the channels is a response that the case has",
                                          "channels on body centre, body over the pivots, bogies, wheels or rail");
     if (observation.channels.size() > static_cast<std::size_t>(kMostChannels))
-        throw parameters::ParameterError("channel", fmt::format("{} channels are responses of the case", observation.channels.size()),
-                                         fmt::format("at most {} of them in a recording", kMostChannels));
+        throw parameters::ParameterError(
+            "channel", fmt::format("{} channels are responses of the case", observation.channels.size()),
+            fmt::format("at most {} of them in a recording", kMostChannels));
     set_band(observation, all.kernel(), believed, options);
     const std::size_t bins = band_bins(observation);
     const auto part = [&](double from, double to) {
@@ -147,9 +153,12 @@ Observation windowed(const recordings::Recording& recording, Observation observa
 }
 
 /// The same in short windows, where they hold bins enough.
-std::shared_ptr<const Observation> coarse_of(const recordings::Recording& recording, const Observation& head, const Observation& fine, const pem::CaseParameters& believed,
+std::shared_ptr<const Observation> coarse_of(const recordings::Recording& recording, const Observation& head,
+                                             const Observation& fine, const pem::CaseParameters& believed,
                                              const ObservationOptions& options) {
-    if (static_cast<double>(fine.bins()) * options.coarse_window_s < static_cast<double>(kFewestBins) * options.window_s) return {};
+    if (static_cast<double>(fine.bins()) * options.coarse_window_s <
+        static_cast<double>(kFewestBins) * options.window_s)
+        return {};
     Observation coarse = windowed(recording, head, believed, options, options.coarse_window_s);
     coarse.expectation.transfer_step_hz = kCoarseTransferStep;
     coarse.expectation.rail_every = static_cast<int>(kRailStep / kCoarseTransferStep);

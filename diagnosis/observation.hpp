@@ -29,54 +29,60 @@ struct Observation {
     double speed_tolerance = 0.0;  ///< relative standard deviation
     double payload_kg = 0.0;
     std::vector<ObservedChannel> channels;
-    std::vector<std::string> channel_names;    ///< as the recording calls them
-    std::vector<bool> unknown_scale;           ///< per channel
-    std::vector<double> log_scale;             ///< per channel, or none: first guess of the log power of a scale that is unknown; 0 where it is known
-    std::vector<double> noise_psd;             ///< per channel: first guess, squared unit per Hz
+    std::vector<std::string> channel_names;  ///< as the recording calls them
+    std::vector<bool> unknown_scale;         ///< per channel
+    /// per channel, or none: first guess of the log power of a scale that is unknown; 0 where it is known
+    std::vector<double> log_scale;
+    std::vector<double> noise_psd;  ///< per channel: first guess, squared unit per Hz
     recordings::WindowKernel kernel;
     ExpectationOptions expectation;
     MeasuredSpectra fitted;    ///< what fits may see
     MeasuredSpectra held_out;  ///< what no fit sees
     MeasuredSpectra all;
     std::optional<ScalarData> scalar;  ///< a recording without time series: the three parts above are then empty
-    std::shared_ptr<const Observation> coarse;  ///< the same recording in short windows: what a blunt likelihood needs, for half the work; none without time series
+    /// the same recording in short windows: what a blunt likelihood needs, for half the work; none without time series
+    std::shared_ptr<const Observation> coarse;
 
     std::size_t first_bin() const;
     std::size_t bins() const { return all.log_determinant.size(); }
     double frequency(std::size_t bin) const { return static_cast<double>(first_bin() + bin) * kernel.bin_hz(); }
 };
 
-inline constexpr int kMostChannels = 16;  ///< of a recording that the likelihood takes: its matrices live in registers and on the stack
+/// of a recording that the likelihood takes: its matrices live in registers and on the stack
+inline constexpr int kMostChannels = 16;
 
 inline constexpr double kDefaultSpeedTolerance = 0.005;  ///< of a stated speed without a standard error
-inline constexpr double kBandEdge = 0.9;                 ///< a band ends this much inside of what the irregularity excites
+/// a band ends this much inside of what the irregularity excites
+inline constexpr double kBandEdge = 0.9;
 
 /// How a recording is turned into spectra.
 struct ObservationOptions {
-    double window_s = 4.0;          ///< long windows see finer differences; shorter ones forgive (diagnosis README)
-    double coarse_window_s = 2.0;   ///< where the likelihood is blunt; in 1 s both effects of the paper are no longer told from one
-    double low_hz = 2.0;            ///< below, a minute has too few waves
+    double window_s = 4.0;  ///< long windows see finer differences; shorter ones forgive (diagnosis README)
+    /// where the likelihood is blunt; in 1 s both effects of the paper are no longer told from one
+    double coarse_window_s = 2.0;
+    double low_hz = 2.0;  ///< below, a minute has too few waves
     double high_hz = 175.0;
-    double held_out_share = 0.25;   ///< of the end of the record, seen by no fit
+    double held_out_share = 0.25;  ///< of the end of the record, seen by no fit
 };
 
-/// Kernel and band of an observation at its speed: what the options ask for, cut to where the believed irregularity excites.
-/// Throws parameters::ParameterError when no usable band is left.
+/// Kernel and band of an observation at its speed: what the options ask for, cut to where the believed irregularity
+/// excites. Throws parameters::ParameterError when no usable band is left.
 void set_band(Observation& observation, const recordings::WindowKernel& kernel, const pem::CaseParameters& believed,
               const ObservationOptions& options);
 
 /// Bins of the band that set_band() has set.
 std::size_t band_bins(const Observation& observation);
 
-/// log det of every matrix of `values`; 0 everywhere when `averages`, the independent ones of a single bin, are fewer than
-/// the channels and the matrices are singular.
+/// log det of every matrix of `values`; 0 everywhere when `averages`, the independent ones of a single bin, are fewer
+/// than the channels and the matrices are singular.
 void set_log_determinants(MeasuredSpectra& measured, std::size_t channels, double averages);
 
 /// The observations in short windows; those that have none as they are.
 std::vector<Observation> coarse_observations(const std::vector<Observation>& observations);
 
 /// Prepares a time series. The band is cut to where the believed irregularity excites at this speed.
-/// Throws parameters::ParameterError when no channel is one that the case has, more than kMostChannels are, or no usable band is left.
+/// Throws parameters::ParameterError when no channel is one that the case has, more than kMostChannels are, or no
+/// usable band is left.
 Observation observe(const recordings::Recording& recording, const std::string& name,
                     const pem::CaseParameters& believed, const ObservationOptions& options);
 

@@ -23,14 +23,21 @@ using recordings::RecordingKind;
 constexpr int kLinesPerBand = 9;        ///< of a third-octave of a decay rate
 constexpr double kLineReachBins = 4.0;  ///< of the Hann kernel that spreads a line
 
-double wrapped(double phase) { return std::remainder(phase, 2.0 * std::numbers::pi); }
+double wrapped(double phase) {
+    return std::remainder(phase, 2.0 * std::numbers::pi);
+}
 
 /// PSD of the channels at any frequency.
 class ChannelPsd {
   public:
-    ChannelPsd(const pem::CaseParameters& parameters, double speed, const Observation& observation, const pem::WheelTransfers& transfers)
-        : parameters_(parameters), speed_(speed), observation_(observation), transfers_(transfers),
-          wheels_(vehicle::wheel_positions(parameters.vehicle)), excitation_(pem::excitation(parameters, wheels_, speed)) {}
+    ChannelPsd(const pem::CaseParameters& parameters, double speed, const Observation& observation,
+               const pem::WheelTransfers& transfers)
+        : parameters_(parameters),
+          speed_(speed),
+          observation_(observation),
+          transfers_(transfers),
+          wheels_(vehicle::wheel_positions(parameters.vehicle)),
+          excitation_(pem::excitation(parameters, wheels_, speed)) {}
 
     double operator()(std::size_t channel, double frequency) const {
         const Complex* at = response_at(channel, frequency);
@@ -44,7 +51,8 @@ class ChannelPsd {
         const ObservedChannel& own = observation_.channels[channel];
         sum *= std::norm(channel_factor(parameters_, own, frequency));
         for (const pem::SensorParameters& sensor : parameters_.sensors)
-            if (sensor.noise_rms_m_per_s2 > 0.0 && pem::measured_response(sensor.channel) == pem::response_names()[own.response].where)
+            if (sensor.noise_rms_m_per_s2 > 0.0 &&
+                pem::measured_response(sensor.channel) == pem::response_names()[own.response].where)
                 sum += pem::sensor_noise_psd(sensor, frequency);
         return sum;
     }
@@ -90,10 +98,12 @@ class ChannelPsd {
 };
 
 /// Transfers from the wheels to the channels over the band, without sensors.
-pem::WheelTransfers transfers_of(const pem::CaseParameters& parameters, double speed, const Observation& observation, std::vector<pem::RailGroup>& rails) {
+pem::WheelTransfers transfers_of(const pem::CaseParameters& parameters, double speed, const Observation& observation,
+                                 std::vector<pem::RailGroup>& rails) {
     pem::CoupledModel model = pem::coupled_model(parameters, speed);
     if (pem::is_nonlinear(parameters))
-        pem::linearise(parameters, pem::excitation_sources(parameters, vehicle::wheel_positions(parameters.vehicle), speed), model);
+        pem::linearise(parameters,
+                       pem::excitation_sources(parameters, vehicle::wheel_positions(parameters.vehicle), speed), model);
     std::vector<std::size_t> responses;
     for (const ObservedChannel& channel : observation.channels) responses.push_back(channel.response);
     const double step = observation.expectation.transfer_step_hz;
@@ -102,8 +112,8 @@ pem::WheelTransfers transfers_of(const pem::CaseParameters& parameters, double s
     return pem::wheel_transfers(model, from, step, lines, responses, observation.expectation.threads, &rails);
 }
 
-std::vector<Complex> channel_levels(pem::CaseParameters parameters, double speed, const Observation& observation, const ExpectationCache* known,
-                                    Reuse reuse, ExpectationCache* filled) {
+std::vector<Complex> channel_levels(pem::CaseParameters parameters, double speed, const Observation& observation,
+                                    const ExpectationCache* known, Reuse reuse, ExpectationCache* filled) {
     parameters.sleeper_passing.amplitude_factor = 0.0;
     pem::WheelTransfers own;
     if (reuse < Reuse::transfers) {
@@ -114,7 +124,8 @@ std::vector<Complex> channel_levels(pem::CaseParameters parameters, double speed
     }
     const ChannelPsd psd(parameters, speed, observation, reuse >= Reuse::transfers ? known->transfers : own);
     std::vector<Complex> levels;
-    for (const ScalarValue& value : observation.scalar->values) levels.emplace_back(std::log(psd(value.channel, value.frequency_hz) + value.pedestal), 0.0);
+    for (const ScalarValue& value : observation.scalar->values)
+        levels.emplace_back(std::log(psd(value.channel, value.frequency_hz) + value.pedestal), 0.0);
     return levels;
 }
 
@@ -131,28 +142,34 @@ std::vector<Complex> receptance_levels(const pem::CaseParameters& parameters, co
 std::vector<Complex> decay_levels(const pem::CaseParameters& parameters, const ScalarData& data, int threads) {
     std::vector<double> frequencies, centres;
     for (const ScalarValue& value : data.values) {
-        const spectra::ThirdOctaveBand band = spectra::third_octave_band(static_cast<int>(std::lround(10.0 * std::log10(value.frequency_hz))));
+        const spectra::ThirdOctaveBand band =
+            spectra::third_octave_band(static_cast<int>(std::lround(10.0 * std::log10(value.frequency_hz))));
         centres.push_back(band.centre_hz);
-        for (int i = 0; i < kLinesPerBand; ++i) frequencies.push_back(band.low_hz * std::pow(band.high_hz / band.low_hz, (i + 0.5) / kLinesPerBand));
+        for (int i = 0; i < kLinesPerBand; ++i)
+            frequencies.push_back(band.low_hz * std::pow(band.high_hz / band.low_hz, (i + 0.5) / kLinesPerBand));
     }
     const pem::TrackResponse response = pem::track_response(parameters, frequencies, true, threads);
     std::vector<Complex> levels;
-    for (const pem::DecayBand& band : pem::decay_bands(response, centres, parameters.track.spacing_m)) levels.emplace_back(std::log(band.decay_rate_db_per_m), 0.0);
+    for (const pem::DecayBand& band : pem::decay_bands(response, centres, parameters.track.spacing_m))
+        levels.emplace_back(std::log(band.decay_rate_db_per_m), 0.0);
     const pem::DecayRateReference& reference = parameters.decay_rate_reference;
     for (std::size_t i = 0; i < levels.size(); ++i)
-        if (const int band = reference_band(reference, data.values[i].frequency_hz); band >= 0) levels[i] += std::log(reference.ratio[static_cast<std::size_t>(band)]);
+        if (const int band = reference_band(reference, data.values[i].frequency_hz); band >= 0)
+            levels[i] += std::log(reference.ratio[static_cast<std::size_t>(band)]);
     return levels;
 }
 
 }  // namespace
 
-std::vector<Complex> predict_scalars(const pem::CaseParameters& parameters, double speed, const Observation& observation,
-                                     const ExpectationCache* known, Reuse reuse, ExpectationCache* filled) {
+std::vector<Complex> predict_scalars(const pem::CaseParameters& parameters, double speed,
+                                     const Observation& observation, const ExpectationCache* known, Reuse reuse,
+                                     ExpectationCache* filled) {
     const ScalarData& data = *observation.scalar;
     const int threads = observation.expectation.threads;
-    std::vector<Complex> levels = data.kind == RecordingKind::receptance   ? receptance_levels(parameters, data, threads)
-                                  : data.kind == RecordingKind::decay_rate ? decay_levels(parameters, data, threads)
-                                                                           : channel_levels(parameters, speed, observation, known, reuse, filled);
+    std::vector<Complex> levels = data.kind == RecordingKind::receptance ? receptance_levels(parameters, data, threads)
+                                  : data.kind == RecordingKind::decay_rate
+                                      ? decay_levels(parameters, data, threads)
+                                      : channel_levels(parameters, speed, observation, known, reuse, filled);
     for (std::size_t i = 0; i < levels.size(); ++i) {
         levels[i] -= data.values[i].log_value;
         levels[i] = {levels[i].real(), data.has_phase ? wrapped(levels[i].imag()) : 0.0};

@@ -8,7 +8,7 @@ namespace railpem::diagnosis {
 
 namespace {
 
-constexpr double kBlock_hz = 2.0;      ///< neighbouring bins share half of their window's band
+constexpr double kBlock_hz = 2.0;  ///< neighbouring bins share half of their window's band
 constexpr double kNormalPerMad = 1.4826;
 
 /// L⁻¹HL⁻ᴴ.
@@ -18,7 +18,8 @@ Eigen::MatrixXcd seen_through(const Eigen::LLT<Eigen::MatrixXcd>& factor, const 
 }
 
 /// tr(R₁R₂) of a bin, perpendicular to its power.
-double repeated(const Eigen::MatrixXcd& model, const Eigen::VectorXd& noise, const Eigen::MatrixXcd& fitted, const Eigen::MatrixXcd& held_out) {
+double repeated(const Eigen::MatrixXcd& model, const Eigen::VectorXd& noise, const Eigen::MatrixXcd& fitted,
+                const Eigen::MatrixXcd& held_out) {
     const Eigen::LLT<Eigen::MatrixXcd> factor(model);
     const Eigen::MatrixXcd one = Eigen::MatrixXcd::Identity(model.rows(), model.cols());
     const Eigen::MatrixXcd scale = one - seen_through(factor, noise.cast<std::complex<double>>().asDiagonal());
@@ -62,13 +63,18 @@ RepeatedMisfit repeated_misfit(const Trial& trial, const Predictions& prediction
         double block = std::floor(observation.frequency(0) / kBlock_hz), own = 0.0, chance = 0.0;
         for (std::size_t bin = 0; bin < observation.bins(); ++bin) {
             const auto matrix = [&](const MeasuredSpectra& part) -> Eigen::MatrixXcd {
-                return Eigen::Map<const Eigen::MatrixXcd>(&part.values[bin * static_cast<std::size_t>(size * size)], size, size);
+                return Eigen::Map<const Eigen::MatrixXcd>(&part.values[bin * static_cast<std::size_t>(size * size)],
+                                                          size, size);
             };
-            const double nats = 0.5 * averages * repeated(complete_prediction(trial, observation, o, predictions[o], bin), noise, matrix(fitted), matrix(held_out));
-            if (const double at = std::floor(observation.frequency(bin) / kBlock_hz); at != block) block = at, blocks.push_back(0.0);
+            const double nats = 0.5 * averages *
+                                repeated(complete_prediction(trial, observation, o, predictions[o], bin), noise,
+                                         matrix(fitted), matrix(held_out));
+            if (const double at = std::floor(observation.frequency(bin) / kBlock_hz); at != block)
+                block = at, blocks.push_back(0.0);
             blocks.back() += nats;
             own += nats;
-            chance += 0.25 * averages * averages * static_cast<double>(size * size) / (fitted.averages * held_out.averages);
+            chance +=
+                0.25 * averages * averages * static_cast<double>(size * size) / (fitted.averages * held_out.averages);
         }
         total.nats += own;
         total.seconds += fitted.seconds + held_out.seconds;

@@ -9,7 +9,8 @@ namespace railpem::diagnosis {
 Reuse shared_with(const Trial& trial, const Unknown& unknown);
 Reuse shared_with(const Trial& trial, const EffectInstance& effect);
 
-/// What the probe of an effect shares, which is next to nothing (Candidate::probe). Of lines and bands of roughness it is said here that laws linearised about the level stay as they are: what they do to the level is no stronger, but
+/// What the probe of an effect shares, which is next to nothing (Candidate::probe). Of lines and bands of roughness it
+/// is said here that laws linearised about the level stay as they are: what they do to the level is no stronger, but
 /// all over the band, as the strength of those laws is, which the screening projects out.
 Reuse shared_with_probe(const Trial& trial, const EffectInstance& probe);
 

@@ -14,7 +14,8 @@ std::vector<Eigen::VectorXd> third_octaves(const std::vector<GradientBlock>& blo
     std::vector<Eigen::VectorXd> bands;
     const GradientBlock* first = nullptr;
     for (const GradientBlock& block : blocks) {
-        if (first && block.observation == first->observation && block.frequency_hz < kThirdOctave * first->frequency_hz) {
+        if (first && block.observation == first->observation &&
+            block.frequency_hz < kThirdOctave * first->frequency_hz) {
             bands.back() += block.gradient;
             continue;
         }
@@ -35,21 +36,28 @@ double law_variance(const Unknown& unknown, double coordinate) {
 Eigen::MatrixXd scatter_of(const Fit& fit, const LikelihoodContext& context) {
     const auto derivatives = derivatives_of(fit, context);
     Eigen::MatrixXd scatter = Eigen::MatrixXd::Zero(fit.covariance.rows(), fit.covariance.cols());
-    for (std::size_t u = 0; u < fit.unknowns.size(); ++u) scatter(static_cast<long>(u), static_cast<long>(u)) = 1.0 / (fit.unknowns[u].deviation * fit.unknowns[u].deviation);
-    for (const Eigen::VectorXd& band : third_octaves(gradient_blocks(fit.trial, fit.unknowns, fit.predictions, derivatives, context))) scatter += band * band.transpose();
+    for (std::size_t u = 0; u < fit.unknowns.size(); ++u)
+        scatter(static_cast<long>(u), static_cast<long>(u)) =
+            1.0 / (fit.unknowns[u].deviation * fit.unknowns[u].deviation);
+    for (const Eigen::VectorXd& band :
+         third_octaves(gradient_blocks(fit.trial, fit.unknowns, fit.predictions, derivatives, context)))
+        scatter += band * band.transpose();
     return scatter;
 }
 
 }  // namespace
 
 double law_deviation(const EffectParameter& parameter, double coordinate, double least) {
-    return std::abs(to_coordinate(parameter, (1.0 + std::max(least, parameter.inexact)) * from_coordinate(parameter, coordinate)) - coordinate);
+    return std::abs(
+        to_coordinate(parameter, (1.0 + std::max(least, parameter.inexact)) * from_coordinate(parameter, coordinate)) -
+        coordinate);
 }
 
 Eigen::MatrixXd robust_covariance(const Fit& fit, const LikelihoodContext& context) {
     const Eigen::VectorXd variance = fit.covariance.diagonal();
     Eigen::VectorXd wider = (fit.covariance * scatter_of(fit, context) * fit.covariance).diagonal().cwiseMax(variance);
-    for (std::size_t u = 0; u < fit.unknowns.size(); ++u) wider(static_cast<long>(u)) += law_variance(fit.unknowns[u], fit.values[u]);
+    for (std::size_t u = 0; u < fit.unknowns.size(); ++u)
+        wider(static_cast<long>(u)) += law_variance(fit.unknowns[u], fit.values[u]);
     const Eigen::VectorXd factor = wider.cwiseQuotient(variance).cwiseSqrt();
     return factor.asDiagonal() * fit.covariance * factor.asDiagonal();
 }

@@ -9,8 +9,8 @@
 
 namespace railpem::diagnosis {
 
-/// Of one channel at one bin of one recording. The best linear estimate of a channel from the others, x̂ = wᴴ·x, has of the inverse of the expected matrix S its column:
-/// w = −S⁻¹e/(eᴴS⁻¹e), and nothing of the channel itself.
+/// Of one channel at one bin of one recording. The best linear estimate of a channel from the others, x̂ = wᴴ·x, has of
+/// the inverse of the expected matrix S its column: w = −S⁻¹e/(eᴴS⁻¹e), and nothing of the channel itself.
 struct SaidByOthers {
     std::size_t response = 0;  ///< pem::response_index
     double frequency_hz = 0.0;
@@ -21,6 +21,7 @@ struct SaidByOthers {
 };
 
 /// Calls `with` for every channel at every bin of every recording that has two or more, in their order.
-void for_each_said_by_others(const Fit& fit, const LikelihoodContext& context, const std::function<void(const SaidByOthers&)>& with);
+void for_each_said_by_others(const Fit& fit, const LikelihoodContext& context,
+                             const std::function<void(const SaidByOthers&)>& with);
 
 }  // namespace railpem::diagnosis

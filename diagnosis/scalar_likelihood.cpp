@@ -9,23 +9,27 @@ namespace {
 
 /// Visits every value of the part: variance without and with discrepancy, and whether its phase counts.
 template <class Visit>
-void each_value(const Observation& observation, std::size_t o, const Trial& trial, const LikelihoodContext& context, const Visit& visit) {
+void each_value(const Observation& observation, std::size_t o, const Trial& trial, const LikelihoodContext& context,
+                const Visit& visit) {
     const ScalarData& data = *observation.scalar;
     for (std::size_t i = 0; i < data.values.size(); ++i) {
         const ScalarValue& value = data.values[i];
-        if (belongs(value, context.part)) visit(i, value, scalar_variance(value, trial.discrepancy[o], context.least_floor));
+        if (belongs(value, context.part))
+            visit(i, value, scalar_variance(value, trial.discrepancy[o], context.least_floor));
     }
 }
 
 /// The discrepancy of a recording among the unknowns, or −1.
 int discrepancy_unknown(const std::vector<Unknown>& unknowns, std::size_t observation) {
     for (std::size_t u = 0; u < unknowns.size(); ++u)
-        if (unknowns[u].kind == UnknownKind::discrepancy && unknowns[u].observation == static_cast<int>(observation)) return static_cast<int>(u);
+        if (unknowns[u].kind == UnknownKind::discrepancy && unknowns[u].observation == static_cast<int>(observation))
+            return static_cast<int>(u);
     return -1;
 }
 
-void add_observation(const Trial& trial, const std::vector<Unknown>& unknowns, std::size_t o, const ExpectedSpectra& prediction,
-                     const std::vector<const PredictionDerivative*>& own, const LikelihoodContext& context, LikelihoodSlope& slope) {
+void add_observation(const Trial& trial, const std::vector<Unknown>& unknowns, std::size_t o,
+                     const ExpectedSpectra& prediction, const std::vector<const PredictionDerivative*>& own,
+                     const LikelihoodContext& context, LikelihoodSlope& slope) {
     const Observation& observation = (*context.observations)[o];
     const ScalarData& data = *observation.scalar;
     const int parts = data.has_phase ? 2 : 1;
@@ -38,7 +42,8 @@ void add_observation(const Trial& trial, const std::vector<Unknown>& unknowns, s
                 const double first = of(own[a]->values[i]);
                 if (first == 0.0) continue;
                 slope.gradient(own[a]->unknown) -= first * residual / variance;
-                for (const PredictionDerivative* other : own) slope.information(own[a]->unknown, other->unknown) += first * of(other->values[i]) / variance;
+                for (const PredictionDerivative* other : own)
+                    slope.information(own[a]->unknown, other->unknown) += first * of(other->values[i]) / variance;
             }
             if (discrepancy < 0) continue;
             // d log(s²)/d log δ; mean and variance of a Gaussian inform independently.
@@ -56,7 +61,9 @@ long discrepancy_cell(double frequency_hz) {
     return std::lround(kCellsPerOctave * std::log2(frequency_hz));
 }
 
-bool belongs(const ScalarValue& value, Part part) { return part == Part::all || (part == Part::held_out) == value.held_out; }
+bool belongs(const ScalarValue& value, Part part) {
+    return part == Part::all || (part == Part::held_out) == value.held_out;
+}
 
 std::size_t scalar_count(const std::vector<Observation>& observations, Part part) {
     std::size_t count = 0;
@@ -67,7 +74,8 @@ std::size_t scalar_count(const std::vector<Observation>& observations, Part part
 }
 
 double scalar_variance(const ScalarValue& value, double discrepancy, double least_floor) {
-    return value.deviation * value.deviation + value.sharing * (value.shared_deviation * value.shared_deviation + discrepancy * discrepancy + least_floor * least_floor);
+    return value.deviation * value.deviation + value.sharing * (value.shared_deviation * value.shared_deviation +
+                                                                discrepancy * discrepancy + least_floor * least_floor);
 }
 
 double scalar_log_likelihood(const Trial& trial, const Predictions& predictions, const LikelihoodContext& context) {
@@ -77,14 +85,16 @@ double scalar_log_likelihood(const Trial& trial, const Predictions& predictions,
         if (!observation.scalar) continue;
         const double parts = observation.scalar->has_phase ? 2.0 : 1.0;
         each_value(observation, o, trial, context, [&](std::size_t i, const ScalarValue& value, double variance) {
-            sum -= 0.5 * (std::norm(predictions[o].values[i]) / variance + parts * std::log(variance / (value.deviation * value.deviation)));
+            sum -= 0.5 * (std::norm(predictions[o].values[i]) / variance +
+                          parts * std::log(variance / (value.deviation * value.deviation)));
         });
     }
     return sum;
 }
 
 void add_scalar_slope(const Trial& trial, const std::vector<Unknown>& unknowns, const Predictions& predictions,
-                      const std::vector<PredictionDerivative>& derivatives, const LikelihoodContext& context, LikelihoodSlope& slope) {
+                      const std::vector<PredictionDerivative>& derivatives, const LikelihoodContext& context,
+                      LikelihoodSlope& slope) {
     slope.log_likelihood += scalar_log_likelihood(trial, predictions, context);
     for (std::size_t o = 0; o < context.observations->size(); ++o) {
         if (!(*context.observations)[o].scalar) continue;

@@ -27,7 +27,8 @@ void move_last(Fit& fit, const EffectInstance& values) {
     for (std::size_t u = 0; u < fit.unknowns.size(); ++u) {
         if (fit.unknowns[u].kind != UnknownKind::effect || fit.unknowns[u].index != last) continue;
         for (const EffectParameter& parameter : effect.parameters)
-            if (fit.unknowns[u].name == effect.id + "." + parameter.name) fit.values[u] = to_coordinate(parameter, values.values.at(parameter.name));
+            if (fit.unknowns[u].name == effect.id + "." + parameter.name)
+                fit.values[u] = to_coordinate(parameter, values.values.at(parameter.name));
     }
 }
 
@@ -39,14 +40,19 @@ std::string text_of(const std::vector<Candidate>& members, const std::vector<std
 }
 
 /// What other fits start from, without predictions and covariance.
-Fit values_of(const Fit& fit) { return {.trial = fit.trial, .unknowns = fit.unknowns, .values = fit.values, .derivatives = fit.derivatives}; }
+Fit values_of(const Fit& fit) {
+    return {.trial = fit.trial, .unknowns = fit.unknowns, .values = fit.values, .derivatives = fit.derivatives};
+}
 
 }  // namespace
 
-SetTrials::SetTrials(const BelievedCase& believed, const LikelihoodContext& context, const NamingOptions& options, NamingResult& result)
+SetTrials::SetTrials(const BelievedCase& believed, const LikelihoodContext& context, const NamingOptions& options,
+                     NamingResult& result)
     : believed_(believed), context_(context), options_(options), result_(result) {}
 
-bool SetTrials::is_blunt() const { return context_.least_floor > 0.0; }
+bool SetTrials::is_blunt() const {
+    return context_.least_floor > 0.0;
+}
 
 void SetTrials::say(const std::string& what, double share) const {
     if (options_.progress) options_.progress(what, share);
@@ -60,20 +66,25 @@ void SetTrials::retune() {
     FitOptions fit_options;
     fit_options.between = [this] { say("retuning", 0.05); };
     fit_options.from_far = !is_blunt();
-    if (is_blunt()) fit_options.iterations = kBluntRetuning;
-    else fit_options.patience = kRetuningPatience;
+    if (is_blunt())
+        fit_options.iterations = kBluntRetuning;
+    else
+        fit_options.patience = kRetuningPatience;
     result_.retuned.fit = fit(trial, std::move(unknowns), start, context_, fit_options);
     result_.retuned.held_out = part_log_likelihood(result_.retuned.fit, context_, Part::held_out);
 }
 
-const FittedSet& SetTrials::try_set(const Fit& near, std::vector<Candidate> members, std::vector<std::string> released, double share, bool far, double ahead) {
+const FittedSet& SetTrials::try_set(const Fit& near, std::vector<Candidate> members, std::vector<std::string> released,
+                                    double share, bool far, double ahead) {
     const std::string text = text_of(members, released);
     say(text, share);
     FitOptions fit_options;
     fit_options.between = [this, text, share] { say(text, share); };
     fit_options.from_far = far && !is_blunt();
-    if (far) fit_options.stage_iterations = kFarIterations;
-    else fit_options.room = -ahead;
+    if (far)
+        fit_options.stage_iterations = kFarIterations;
+    else
+        fit_options.room = -ahead;
     fit_options.rival = &most_probable();
     FittedSet fitted = fit_set(believed_, near, std::move(members), std::move(released), {}, context_, fit_options);
     result_.sets.push_back(std::move(fitted));
@@ -90,13 +101,15 @@ void SetTrials::let_go() {
     }
 }
 
-const FittedSet& SetTrials::try_starts(const Fit& near, const Starts& starts, const std::vector<Candidate>& members, const std::vector<std::string>& released, double share, double ahead) {
+const FittedSet& SetTrials::try_starts(const Fit& near, const Starts& starts, const std::vector<Candidate>& members,
+                                       const std::vector<std::string>& released, double share, double ahead) {
     const std::size_t first = result_.sets.size();
     for (const Starts& own : climbed_apart(starts, result_.candidates)) {
         Started best = best_start(believed_, near, own, result_.candidates, members, released, context_);
         std::vector<Candidate> with = members;
         with.push_back(best.candidate);
-        // What replaces a law of the case begins far below it, however mild: it gets the way of the retuned case, blunt first.
+        // What replaces a law of the case begins far below it, however mild: it gets the way of the retuned case, blunt
+        // first.
         const bool far = best.log_posterior < near.log_posterior - kFar;
         const std::size_t here = result_.sets.size();
         try_set(best.near, std::move(with), released, share, far, ahead);
@@ -130,11 +143,14 @@ void SetTrials::try_relatives(std::size_t index, double share) {
     const std::vector<std::string> released = fitted.released;
     Fit best;
     double highest = fitted.fit.log_posterior - kFar;
-    for (const EffectInstance& relative : comb_relatives(fitted.fit.trial.effects.back(), longest_comb_m(*context_.observations))) {
+    for (const EffectInstance& relative :
+         comb_relatives(fitted.fit.trial.effects.back(), longest_comb_m(*context_.observations))) {
         Fit near = values_of(fitted.fit);
         move_last(near, relative);
         const Supposition supposition = suppose(believed_, near, members, released, {}, context_);
-        if (const double own = log_posterior_at(supposition.trial, supposition.unknowns, supposition.start, context_); own > highest) highest = own, best = std::move(near);
+        if (const double own = log_posterior_at(supposition.trial, supposition.unknowns, supposition.start, context_);
+            own > highest)
+            highest = own, best = std::move(near);
     }
     if (!best.unknowns.empty()) try_set(best, members, released, share);
 }
@@ -153,12 +169,14 @@ void SetTrials::finish_best(std::size_t members) {
     }
 }
 
-bool SetTrials::is_fitted_better(const Fit& near, const std::vector<Candidate>& members, const std::vector<std::string>& released) const {
+bool SetTrials::is_fitted_better(const Fit& near, const std::vector<Candidate>& members,
+                                 const std::vector<std::string>& released) const {
     const auto is_it = [&](const FittedSet& set) { return set.fit.converged && has_members(set, members, released); };
     const auto known = std::find_if(result_.sets.begin(), result_.sets.end(), is_it);
     if (known == result_.sets.end()) return false;
     const Supposition supposition = suppose(believed_, near, members, released, {}, context_);
-    return log_posterior_at(supposition.trial, supposition.unknowns, supposition.start, context_) < known->fit.log_posterior;
+    return log_posterior_at(supposition.trial, supposition.unknowns, supposition.start, context_) <
+           known->fit.log_posterior;
 }
 
 std::size_t SetTrials::prune() {
@@ -171,8 +189,10 @@ std::size_t SetTrials::prune() {
     for (std::size_t i = 0; i < members.size() + released.size(); ++i) {
         std::vector<Candidate> fewer = members;
         std::vector<std::string> numbers = released;
-        if (i < members.size()) fewer.erase(fewer.begin() + static_cast<long>(i));
-        else numbers.erase(numbers.begin() + static_cast<long>(i - members.size()));
+        if (i < members.size())
+            fewer.erase(fewer.begin() + static_cast<long>(i));
+        else
+            numbers.erase(numbers.begin() + static_cast<long>(i - members.size()));
         if (!is_fitted_better(near, fewer, numbers)) try_set(near, std::move(fewer), std::move(numbers), 0.72, true);
     }
     const std::size_t left = leading().members();
@@ -182,17 +202,23 @@ std::size_t SetTrials::prune() {
 void SetTrials::swap_first(const Candidate& second, const FittedSet& from, double brought, double share) {
     std::vector<const FittedSet*> singles;
     for (const FittedSet& set : result_.sets)
-        if (set.effects.size() == 1 && set.released.empty() && !same_variant(set.effects[0].instance, second.instance) &&
+        if (set.effects.size() == 1 && set.released.empty() &&
+            !same_variant(set.effects[0].instance, second.instance) &&
             (from.effects.empty() || !same_variant(set.effects[0].instance, from.effects[0].instance)))
             singles.push_back(&set);
-    std::sort(singles.begin(), singles.end(), [](const FittedSet* a, const FittedSet* b) { return a->score() > b->score(); });
+    std::sort(singles.begin(), singles.end(),
+              [](const FittedSet* a, const FittedSet* b) { return a->score() > b->score(); });
     if (singles.size() > kSwaps) singles.resize(kSwaps);
     std::vector<Candidate> firsts;
     std::vector<Fit> near;  // sets may move
     for (const FittedSet* single : singles) {
-        // Variants of one effect are told apart as singles: the second brings the worse of them no more than the better.
-        const bool is_worse_kind = !from.effects.empty() && single->effects[0].instance.effect == from.effects[0].instance.effect && single->score() + brought < from.score();
-        if (single->score() > result_.retuned.score() && !is_worse_kind) firsts.push_back(single->effects[0]), near.push_back(values_of(single->fit));
+        // Variants of one effect are told apart as singles: the second brings the worse of them no more than the
+        // better.
+        const bool is_worse_kind = !from.effects.empty() &&
+                                   single->effects[0].instance.effect == from.effects[0].instance.effect &&
+                                   single->score() + brought < from.score();
+        if (single->score() > result_.retuned.score() && !is_worse_kind)
+            firsts.push_back(single->effects[0]), near.push_back(values_of(single->fit));
     }
     for (std::size_t i = 0; i < firsts.size(); ++i) try_set(near[i], {firsts[i], second}, {}, share);
 }
@@ -200,7 +226,8 @@ void SetTrials::swap_first(const Candidate& second, const FittedSet& from, doubl
 void SetTrials::drop_needless() {
     const VerdictThresholds thresholds{.least_gain = options_.least_gain};
     drop_where([&](const FittedSet& set) {
-        return std::any_of(result_.sets.begin(), result_.sets.end(), [&](const FittedSet& smaller) { return adds_nothing(smaller, set, result_, thresholds); });
+        return std::any_of(result_.sets.begin(), result_.sets.end(),
+                           [&](const FittedSet& smaller) { return adds_nothing(smaller, set, result_, thresholds); });
     });
 }
 
@@ -213,8 +240,10 @@ void SetTrials::drop_where(const std::function<bool(const FittedSet&)>& is_dropp
     for (const FittedSet& set : result_.sets) dropped.push_back(is_dropped(set));
     std::vector<FittedSet> kept;
     for (std::size_t i = 0; i < dropped.size(); ++i) {
-        if (dropped[i]) result_.dropped.push_back(without_fit(result_.sets[i]));
-        else kept.push_back(std::move(result_.sets[i]));
+        if (dropped[i])
+            result_.dropped.push_back(without_fit(result_.sets[i]));
+        else
+            kept.push_back(std::move(result_.sets[i]));
     }
     result_.sets = std::move(kept);
 }
@@ -229,11 +258,16 @@ const FittedSet* SetTrials::best(std::size_t members) const {
 const FittedSet* SetTrials::single(std::size_t nth) const {
     std::vector<const FittedSet*> singles;
     for (const FittedSet& set : result_.sets)
-        if (set.effects.size() == 1 && set.released.empty() && set.score() > result_.retuned.score()) singles.push_back(&set);
-    std::sort(singles.begin(), singles.end(), [](const FittedSet* a, const FittedSet* b) { return a->score() > b->score(); });
+        if (set.effects.size() == 1 && set.released.empty() && set.score() > result_.retuned.score())
+            singles.push_back(&set);
+    std::sort(singles.begin(), singles.end(),
+              [](const FittedSet* a, const FittedSet* b) { return a->score() > b->score(); });
     std::vector<const FittedSet*> variants;  // the best fit of each
     for (const FittedSet* own : singles)
-        if (std::none_of(variants.begin(), variants.end(), [&](const FittedSet* known) { return same_variant(known->effects[0].instance, own->effects[0].instance); })) variants.push_back(own);
+        if (std::none_of(variants.begin(), variants.end(), [&](const FittedSet* known) {
+                return same_variant(known->effects[0].instance, own->effects[0].instance);
+            }))
+            variants.push_back(own);
     return variants.size() < nth ? nullptr : variants[nth - 1];
 }
 
@@ -253,7 +287,8 @@ const Fit& SetTrials::most_probable() const {
 
 void SetTrials::sort() {
     std::erase_if(result_.sets, [](const FittedSet& set) { return !std::isfinite(set.score()); });
-    std::stable_sort(result_.sets.begin(), result_.sets.end(), [](const FittedSet& a, const FittedSet& b) { return a.score() > b.score(); });
+    std::stable_sort(result_.sets.begin(), result_.sets.end(),
+                     [](const FittedSet& a, const FittedSet& b) { return a.score() > b.score(); });
 }
 
 }  // namespace railpem::diagnosis

@@ -14,11 +14,13 @@ namespace railpem::diagnosis {
 /// Thrown between steps when somebody wants to end the search.
 struct Interrupted {};
 
-/// Fits sets of effects and released numbers, and keeps all of them in a NamingResult. Every fit may throw Interrupted; what was fitted before stays.
+/// Fits sets of effects and released numbers, and keeps all of them in a NamingResult. Every fit may throw Interrupted;
+/// what was fitted before stays.
 class SetTrials {
   public:
     /// All arguments have to outlive this; `result.candidates` may grow while it is used.
-    SetTrials(const BelievedCase& believed, const LikelihoodContext& context, const NamingOptions& options, NamingResult& result);
+    SetTrials(const BelievedCase& believed, const LikelihoodContext& context, const NamingOptions& options,
+              NamingResult& result);
 
     /// Whether the likelihood is blunted by a floor: such fits begin near and stay near.
     bool is_blunt() const;
@@ -29,27 +31,37 @@ class SetTrials {
     /// Fits the believed case with nothing added.
     void retune();
 
-    /// Fits one set from a fit near it. `far`: with the likelihood blunted first, in few steps of each stage; else it is given up where it cannot come near the most probable so far, and `ahead` nats beyond it.
-    const FittedSet& try_set(const Fit& near, std::vector<Candidate> members, std::vector<std::string> released, double share, bool far = false, double ahead = 0.0);
+    /// Fits one set from a fit near it. `far`: with the likelihood blunted first, in few steps of each stage; else it
+    /// is given up where it cannot come near the most probable so far, and `ahead` nats beyond it.
+    const FittedSet& try_set(const Fit& near, std::vector<Candidate> members, std::vector<std::string> released,
+                             double share, bool far = false, double ahead = 0.0);
 
-    /// Fits the best start of a variant beside `members`; the best two distances of a comb of lines (climbed_apart()), and also from the best of the distances that share lines with it. The better. A comb that gains hardly more over `near` than
-    /// its decoys (comb_decoys()) is a noise of its shape, and cannot be: its score is −∞. `ahead` as above.
-    const FittedSet& try_starts(const Fit& near, const Starts& starts, const std::vector<Candidate>& members, const std::vector<std::string>& released, double share, double ahead = 0.0);
+    /// Fits the best start of a variant beside `members`; the best two distances of a comb of lines (climbed_apart()),
+    /// and also from the best of the distances that share lines with it. The better. A comb that gains hardly more over
+    /// `near` than its decoys (comb_decoys()) is a noise of its shape, and cannot be: its score is −∞. `ahead` as
+    /// above.
+    const FittedSet& try_starts(const Fit& near, const Starts& starts, const std::vector<Candidate>& members,
+                                const std::vector<std::string>& released, double share, double ahead = 0.0);
 
-    /// A fit of the best set of so many members that ran out of steps goes on: what it has left to gain would be put down to the next member.
+    /// A fit of the best set of so many members that ran out of steps goes on: what it has left to gain would be put
+    /// down to the next member.
     void finish_best(std::size_t members);
 
-    /// The best set without each of its members in turn: one grown member by member may hold some that a later one has made needless, and what each of the others explains is what it brings beside the rest. The size of what is
-    /// then the best set, where that is smaller; 0 otherwise, and where this set was asked about before.
+    /// The best set without each of its members in turn: one grown member by member may hold some that a later one has
+    /// made needless, and what each of the others explains is what it brings beside the rest. The size of what is then
+    /// the best set, where that is smaller; 0 otherwise, and where this set was asked about before.
     std::size_t prune();
 
-    /// Pairs in which `second` stays and the first of the set `from`, a single, is replaced by the other promising singles; `brought`: nats by which the second has improved on the single.
+    /// Pairs in which `second` stays and the first of the set `from`, a single, is replaced by the other promising
+    /// singles; `brought`: nats by which the second has improved on the single.
     void swap_first(const Candidate& second, const FittedSet& from, double brought, double share);
 
-    /// Takes out what holds `smaller` and brings less than `least` nats beside it, so that nothing is looked for beside that. Like drop_superfluous().
+    /// Takes out what holds `smaller` and brings less than `least` nats beside it, so that nothing is looked for beside
+    /// that. Like drop_superfluous().
     void drop_beside(const FittedSet& smaller, double least);
 
-    /// Takes out what adds nothing to a smaller set (adds_nothing()), so that nothing is looked for beside it. Like drop_superfluous().
+    /// Takes out what adds nothing to a smaller set (adds_nothing()), so that nothing is looked for beside it. Like
+    /// drop_superfluous().
     void drop_needless();
 
     /// The best set of so many members; none: nullptr.
@@ -75,8 +87,10 @@ class SetTrials {
     void refuse_noise(std::size_t index, const Fit& near, double share);
     const Fit& most_probable() const;
 
-    /// Whether a fit of these members is known that is more probable than where `near` would start another. A member that is needless leaves its set far above that.
-    bool is_fitted_better(const Fit& near, const std::vector<Candidate>& members, const std::vector<std::string>& released) const;
+    /// Whether a fit of these members is known that is more probable than where `near` would start another. A member
+    /// that is needless leaves its set far above that.
+    bool is_fitted_better(const Fit& near, const std::vector<Candidate>& members,
+                          const std::vector<std::string>& released) const;
 
     const BelievedCase& believed_;
     const LikelihoodContext& context_;

@@ -23,20 +23,25 @@ bool reaches(const Observation& observation, Element element) {
 
 bool could_show(const Observation& observation, const Effect& effect) {
     if (!observation.scalar) return true;
-    const bool reached = std::any_of(effect.elements.begin(), effect.elements.end(), [&](Element element) { return reaches(observation, element); });
+    const bool reached = std::any_of(effect.elements.begin(), effect.elements.end(),
+                                     [&](Element element) { return reaches(observation, element); });
     if (!reached) return false;
     if (observation.scalar->of_track()) return !is_one_of(effect, {"failed-fasteners", "pad-preload-stiffening"});
     if (is_one_of(effect, {"timing-skew", "sleeper-passing"})) return false;
-    return observation.scalar->kind == RecordingKind::psd || !is_one_of(effect, {"wheel-out-of-roundness", "rail-joints", "failed-fasteners"});
+    return observation.scalar->kind == RecordingKind::psd ||
+           !is_one_of(effect, {"wheel-out-of-roundness", "rail-joints", "failed-fasteners"});
 }
 
 std::vector<std::string> scalar_basis(const std::vector<Observation>& observations) {
     std::vector<std::string> basis;
     for (const Observation& observation : observations) {
         if (!observation.scalar) continue;
-        const auto held = std::count_if(observation.scalar->values.begin(), observation.scalar->values.end(), [](const ScalarValue& value) { return value.held_out; });
-        basis.push_back(fmt::format("{} values of {} in {}, {} of them seen by no fit; their logarithms are compared, with a discrepancy that is fitted",
-                                    observation.scalar->values.size(), kind_in_words(observation), observation.name, held));
+        const auto held = std::count_if(observation.scalar->values.begin(), observation.scalar->values.end(),
+                                        [](const ScalarValue& value) { return value.held_out; });
+        basis.push_back(
+            fmt::format("{} values of {} in {}, {} of them seen by no fit; their logarithms are compared, with a "
+                        "discrepancy that is fitted",
+                        observation.scalar->values.size(), kind_in_words(observation), observation.name, held));
         for (const std::string& lack : observation.scalar->lacks) basis.push_back(observation.name + ": " + lack);
     }
     return basis;
@@ -45,11 +50,16 @@ std::vector<std::string> scalar_basis(const std::vector<Observation>& observatio
 std::string kind_in_words(const Observation& observation) {
     if (!observation.scalar) return "time series";
     switch (observation.scalar->kind) {
-        case RecordingKind::psd: return "spectra";
-        case RecordingKind::points: return "quoted points";
-        case RecordingKind::receptance: return "receptance";
-        case RecordingKind::decay_rate: return "decay rate";
-        case RecordingKind::timeseries: break;
+        case RecordingKind::psd:
+            return "spectra";
+        case RecordingKind::points:
+            return "quoted points";
+        case RecordingKind::receptance:
+            return "receptance";
+        case RecordingKind::decay_rate:
+            return "decay rate";
+        case RecordingKind::timeseries:
+            break;
     }
     return "time series";
 }

@@ -30,12 +30,15 @@ void add_outer_product(const std::vector<Complex>& y, Complex* power) {
         }
 }
 
-bool differ(double a, double b, double ratio) { return std::max(a, b) > ratio * std::min(a, b); }
+bool differ(double a, double b, double ratio) {
+    return std::max(a, b) > ratio * std::min(a, b);
+}
 
 /// Two complex numbers.
 using Pair = double __attribute__((vector_size(4 * sizeof(double))));
 
-/// Σ t_j·e_j over four wheels, in two registers each: as complex numbers one after the other it waited for its own stores.
+/// Σ t_j·e_j over four wheels, in two registers each: as complex numbers one after the other it waited for its own
+/// stores.
 class Dot {
   public:
     explicit Dot(const Complex* e) {
@@ -60,17 +63,18 @@ class Dot {
 
 }  // namespace
 
-// Paired bands may differ 16-fold at their edge; without this the expectation would jump whenever a change of speed carries the edge over a line, by tens of nats, and no
-// fit could pass.
+// Paired bands may differ 16-fold at their edge; without this the expectation would jump whenever a change of speed
+// carries the edge over a line, by tens of nats, and no fit could pass.
 double power_over_cell(const pem::DelayedSpectrum& source, double frequency, double step, double centre) {
-    constexpr double kJump = 1.01;       ///< ratio over next to nothing that no smooth spectrum has
+    constexpr double kJump = 1.01;  ///< ratio over next to nothing that no smooth spectrum has
     double low = frequency - 0.5 * step, high = frequency + 0.5 * step;
     const double at_low = source.psd_m2_per_hz(low), at_high = source.psd_m2_per_hz(high);
     double below = at_low, above = at_high;
     if (!differ(at_low, at_high, kSuspicious)) return centre;
     for (int i = 0; i < 50; ++i) {
         const double middle = 0.5 * (low + high), own = source.psd_m2_per_hz(middle);
-        const bool upper = std::abs(std::log((own + 1e-300) / (below + 1e-300))) < std::abs(std::log((own + 1e-300) / (above + 1e-300)));
+        const bool upper = std::abs(std::log((own + 1e-300) / (below + 1e-300))) <
+                           std::abs(std::log((own + 1e-300) / (above + 1e-300)));
         (upper ? low : high) = middle;
         (upper ? below : above) = own;
     }
@@ -86,15 +90,19 @@ std::vector<double> powers_at_lines(const pem::DelayedSpectrum& source, const Fi
     for (std::size_t i = 0; i < grid.count; ++i) at_line[i] = source.psd_m2_per_hz(grid.frequency(i));
     for (std::size_t i = 0; i < grid.count; ++i) {
         const double own = at_line[i];
-        const bool look = i == 0 || i + 1 == grid.count || differ(at_line[i - 1], own, kLook) || differ(own, at_line[i + 1], kLook);
+        const bool look =
+            i == 0 || i + 1 == grid.count || differ(at_line[i - 1], own, kLook) || differ(own, at_line[i + 1], kLook);
         power[i] = look ? power_over_cell(source, grid.frequency(i), grid.step_hz, own) : own;
     }
     return power;
 }
 
-MetPowers met_powers(const pem::CaseParameters& parameters, const pem::DelayedSpectrum& irregularity, double speed, const FineGrid& grid, const MetPowers* known) {
+MetPowers met_powers(const pem::CaseParameters& parameters, const pem::DelayedSpectrum& irregularity, double speed,
+                     const FineGrid& grid, const MetPowers* known) {
     const double patch = parameters.contact.patch_half_length_m;
-    if (known && known->at_lines.size() == grid.count && known->speed_m_per_s == speed && known->patch_half_length_m == patch && known->irregularity == parameters.irregularity) return *known;
+    if (known && known->at_lines.size() == grid.count && known->speed_m_per_s == speed &&
+        known->patch_half_length_m == patch && known->irregularity == parameters.irregularity)
+        return *known;
     return {parameters.irregularity, patch, speed, powers_at_lines(irregularity, grid)};
 }
 
@@ -106,8 +114,9 @@ FineGrid fine_grid(const recordings::WindowKernel& kernel, std::size_t first_bin
     return {kernel.bin_hz() / oversampling, first, last - first + 1};
 }
 
-std::vector<Complex> fine_responses(const pem::WheelTransfers& transfers, const pem::DelayedSpectrum& source, const std::vector<double>& power,
-                                    const std::vector<double>& wheels, double speed, const FineGrid& grid) {
+std::vector<Complex> fine_responses(const pem::WheelTransfers& transfers, const pem::DelayedSpectrum& source,
+                                    const std::vector<double>& power, const std::vector<double>& wheels, double speed,
+                                    const FineGrid& grid) {
     const std::size_t channels = transfers.responses.size();
     std::vector<Complex> y(channels * grid.count), at(channels * 4);
     DelayPhases delays(wheels, speed, grid);
@@ -117,7 +126,8 @@ std::vector<Complex> fine_responses(const pem::WheelTransfers& transfers, const 
         if (root == 0.0) continue;
         pem::interpolate(transfers, f, at.data());
         Complex e[4];
-        if (source.under_wheels) std::ranges::copy(source.under_wheels(f), e);
+        if (source.under_wheels)
+            std::ranges::copy(source.under_wheels(f), e);
         else
             for (std::size_t j = 0; j < 4; ++j) e[j] = root * source.share[j] * delay[j];
         const Dot dot(e);
@@ -130,7 +140,8 @@ pem::WheelTransfers with_what_comes_back(const pem::WheelTransfers& transfers, c
     pem::WheelTransfers result = transfers;
     const std::size_t channels = transfers.responses.size();
     for (std::size_t line = 0; line < transfers.lines; ++line) {
-        const std::array<Complex, 16> back = pem::at_frequency(own, transfers.from_hz + static_cast<double>(line) * transfers.step_hz);
+        const std::array<Complex, 16> back =
+            pem::at_frequency(own, transfers.from_hz + static_cast<double>(line) * transfers.step_hz);
         Complex* row = result.values.data() + line * channels * 4;
         for (std::size_t c = 0; c < channels; ++c)
             for (std::size_t j = 0; j < 4; ++j)
@@ -139,8 +150,10 @@ pem::WheelTransfers with_what_comes_back(const pem::WheelTransfers& transfers, c
     return result;
 }
 
-void for_each_felt(const pem::WheelTransfers& transfers, const std::vector<pem::FeltOrder>& felt, const pem::DelayedSpectrum& source, const std::vector<double>& wheels, double speed,
-                   double bin_hz, const ExpectedSpectra& expected, const std::function<void(std::size_t, double, const std::vector<Complex>&)>& take) {
+void for_each_felt(const pem::WheelTransfers& transfers, const std::vector<pem::FeltOrder>& felt,
+                   const pem::DelayedSpectrum& source, const std::vector<double>& wheels, double speed, double bin_hz,
+                   const ExpectedSpectra& expected,
+                   const std::function<void(std::size_t, double, const std::vector<Complex>&)>& take) {
     const std::size_t size = expected.channels;
     std::vector<Complex> at(size * 4), y(size);
     for (std::size_t b = 0; b < expected.bins() && felt.size() > 1; ++b) {
@@ -148,18 +161,21 @@ void for_each_felt(const pem::WheelTransfers& transfers, const std::vector<pem::
         pem::interpolate(transfers, f, at.data());
         for (std::size_t order = 1; order < felt.size(); ++order) {
             const std::array<Complex, 4> e = pem::felt_irregularity(felt, order, source, wheels, speed, f);
-            for (std::size_t c = 0; c < size; ++c) y[c] = at[c * 4] * e[0] + at[c * 4 + 1] * e[1] + at[c * 4 + 2] * e[2] + at[c * 4 + 3] * e[3];
+            for (std::size_t c = 0; c < size; ++c)
+                y[c] = at[c * 4] * e[0] + at[c * 4 + 1] * e[1] + at[c * 4 + 2] * e[2] + at[c * 4 + 3] * e[3];
             take(b, std::abs(f - felt[order].shift_hz), y);
         }
     }
 }
 
-void add_felt(const pem::WheelTransfers& transfers, const std::vector<pem::FeltOrder>& felt, const pem::DelayedSpectrum& source, const std::vector<double>& wheels, double speed,
-              double bin_hz, ExpectedSpectra& expected) {
+void add_felt(const pem::WheelTransfers& transfers, const std::vector<pem::FeltOrder>& felt,
+              const pem::DelayedSpectrum& source, const std::vector<double>& wheels, double speed, double bin_hz,
+              ExpectedSpectra& expected) {
     const std::size_t size = expected.channels;
-    for_each_felt(transfers, felt, source, wheels, speed, bin_hz, expected, [&](std::size_t b, double, const std::vector<Complex>& y) {
-        add_outer_product(y, expected.values.data() + b * size * size);
-    });
+    for_each_felt(transfers, felt, source, wheels, speed, bin_hz, expected,
+                  [&](std::size_t b, double, const std::vector<Complex>& y) {
+                      add_outer_product(y, expected.values.data() + b * size * size);
+                  });
 }
 
 void add_lines(const pem::CaseParameters& parameters, const pem::WheelTransfers& transfers, const pem::LineSet& set,
@@ -191,8 +207,8 @@ void add_lines(const pem::CaseParameters& parameters, const pem::WheelTransfers&
     }
 }
 
-void add_sensor_noise(const pem::CaseParameters& parameters, const std::vector<ObservedChannel>& channels, double bin_hz,
-                      ExpectedSpectra& expected) {
+void add_sensor_noise(const pem::CaseParameters& parameters, const std::vector<ObservedChannel>& channels,
+                      double bin_hz, ExpectedSpectra& expected) {
     for (const pem::SensorParameters& sensor : parameters.sensors)
         for (std::size_t c = 0; c < channels.size() && sensor.noise_rms_m_per_s2 > 0.0; ++c) {
             if (pem::measured_response(sensor.channel) != pem::response_names()[channels[c].response].where) continue;

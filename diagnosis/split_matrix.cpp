@@ -9,11 +9,13 @@ namespace railpem::diagnosis {
 namespace {
 
 constexpr std::size_t kVector = 4;  ///< rows
-constexpr double kLeastProduct = 1e-100;  ///< of numbers that are multiplied before their logarithm is taken: two of them stay far from underflow
+/// of numbers that are multiplied before their logarithm is taken: two of them stay far from underflow
+constexpr double kLeastProduct = 1e-100;
 
 /// y += (a + ib)·x, all `Rows` at once: single rows that a triangle does not have are zero and cost less than asking.
 template <std::size_t Rows>
-inline void add_all(double a, double b, const double* __restrict x_re, const double* __restrict x_im, double* __restrict y_re, double* __restrict y_im) {
+inline void add_all(double a, double b, const double* __restrict x_re, const double* __restrict x_im,
+                    double* __restrict y_re, double* __restrict y_im) {
 #pragma omp simd
     for (std::size_t i = 0; i < Rows; ++i) {
         y_re[i] += a * x_re[i] - b * x_im[i];
@@ -21,12 +23,16 @@ inline void add_all(double a, double b, const double* __restrict x_re, const dou
     }
 }
 
-/// The same where the rows before `first` are not asked for, or those of x are zero: a triangle has two thirds of the vectors.
+/// The same where the rows before `first` are not asked for, or those of x are zero: a triangle has two thirds of the
+/// vectors.
 template <std::size_t Rows>
-inline void add(std::size_t first, double a, double b, const double* x_re, const double* x_im, double* y_re, double* y_im) {
+inline void add(std::size_t first, double a, double b, const double* x_re, const double* x_im, double* y_re,
+                double* y_im) {
     if constexpr (Rows > kVector) {
-        if (first < kVector) add_all<Rows>(a, b, x_re, x_im, y_re, y_im);
-        else add<Rows - kVector>(first - kVector, a, b, x_re + kVector, x_im + kVector, y_re + kVector, y_im + kVector);
+        if (first < kVector)
+            add_all<Rows>(a, b, x_re, x_im, y_re, y_im);
+        else
+            add<Rows - kVector>(first - kVector, a, b, x_re + kVector, x_im + kVector, y_re + kVector, y_im + kVector);
     } else {
         add_all<Rows>(a, b, x_re, x_im, y_re, y_im);
     }
@@ -36,18 +42,21 @@ inline void add(std::size_t first, double a, double b, const double* x_re, const
 template <std::size_t Rows>
 double factorise(SplitMatrix& model, std::size_t given, double* reciprocal) {
     const std::size_t size = std::min(given, Rows);  // never less: for the compiler to know
-    double log_determinant = 0.0, product = 1.0;  // of pivots: one logarithm serves all of them
+    double log_determinant = 0.0, product = 1.0;     // of pivots: one logarithm serves all of them
     for (std::size_t k = 0; k < size; ++k) {
         const double pivot = model.re[k][k];
         if (!(pivot > 0.0) || !std::isfinite(pivot)) return std::numeric_limits<double>::quiet_NaN();
-        if (!(product > kLeastProduct && product < 1.0 / kLeastProduct && pivot > kLeastProduct && pivot < 1.0 / kLeastProduct)) log_determinant += std::log(product), product = 1.0;
+        if (!(product > kLeastProduct && product < 1.0 / kLeastProduct && pivot > kLeastProduct &&
+              pivot < 1.0 / kLeastProduct))
+            log_determinant += std::log(product), product = 1.0;
         product *= pivot;
         const double scale = reciprocal[k] = 1.0 / std::sqrt(pivot);
         for (std::size_t i = 0; i < Rows; ++i) {
             model.re[k][i] = i < k ? 0.0 : model.re[k][i] * scale;
             model.im[k][i] = i <= k ? 0.0 : model.im[k][i] * scale;
         }
-        for (std::size_t j = k + 1; j < size; ++j) add<Rows>(j, -model.re[k][j], model.im[k][j], model.re[k], model.im[k], model.re[j], model.im[j]);
+        for (std::size_t j = k + 1; j < size; ++j)
+            add<Rows>(j, -model.re[k][j], model.im[k][j], model.re[k], model.im[k], model.re[j], model.im[j]);
     }
     return log_determinant + std::log(product);
 }
@@ -76,7 +85,8 @@ template <std::size_t Rows>
 void close(const SplitMatrix& half, const SplitMatrix& inverse, std::size_t size, SplitMatrix& result) {
     for (std::size_t j = 0; j < size; ++j) {
         for (std::size_t i = 0; i < Rows; ++i) result.re[j][i] = result.im[j][i] = 0.0;
-        for (std::size_t k = 0; k <= j; ++k) add<Rows>(j, inverse.re[k][j], -inverse.im[k][j], half.re[k], half.im[k], result.re[j], result.im[j]);
+        for (std::size_t k = 0; k <= j; ++k)
+            add<Rows>(j, inverse.re[k][j], -inverse.im[k][j], half.re[k], half.im[k], result.re[j], result.im[j]);
     }
 }
 
@@ -85,7 +95,8 @@ void sandwich_rows(const SplitMatrix& inverse, const SplitMatrix& hermitian, std
     SplitMatrix half;
     for (std::size_t k = 0; k < size; ++k) {
         for (std::size_t i = 0; i < Rows; ++i) half.re[k][i] = half.im[k][i] = 0.0;
-        for (std::size_t m = 0; m < size; ++m) add<Rows>(m, hermitian.re[k][m], hermitian.im[k][m], inverse.re[m], inverse.im[m], half.re[k], half.im[k]);
+        for (std::size_t m = 0; m < size; ++m)
+            add<Rows>(m, hermitian.re[k][m], hermitian.im[k][m], inverse.re[m], inverse.im[m], half.re[k], half.im[k]);
     }
     close<Rows>(half, inverse, size, result);
 }
@@ -94,7 +105,8 @@ template <std::size_t Rows>
 void sandwich_diagonal_rows(const SplitMatrix& inverse, const double* diagonal, std::size_t size, SplitMatrix& result) {
     SplitMatrix half;
     for (std::size_t k = 0; k < size; ++k)
-        for (std::size_t i = 0; i < Rows; ++i) half.re[k][i] = diagonal[k] * inverse.re[k][i], half.im[k][i] = diagonal[k] * inverse.im[k][i];
+        for (std::size_t i = 0; i < Rows; ++i)
+            half.re[k][i] = diagonal[k] * inverse.re[k][i], half.im[k][i] = diagonal[k] * inverse.im[k][i];
     close<Rows>(half, inverse, size, result);
 }
 
@@ -103,10 +115,14 @@ template <class Kernel>
 auto for_rows(std::size_t size, const Kernel& kernel) {
     static_assert(kMostChannels == 16);
     switch (padded_rows(size)) {
-        case 4: return kernel.template operator()<4>();
-        case 8: return kernel.template operator()<8>();
-        case 12: return kernel.template operator()<12>();
-        default: return kernel.template operator()<16>();
+        case 4:
+            return kernel.template operator()<4>();
+        case 8:
+            return kernel.template operator()<8>();
+        case 12:
+            return kernel.template operator()<12>();
+        default:
+            return kernel.template operator()<16>();
     }
 }
 

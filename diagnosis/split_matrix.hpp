@@ -1,5 +1,6 @@
 #pragma once
-// Matrices of one bin, real and imaginary parts apart: what the compiler turns into vector instructions without shuffling.
+// Matrices of one bin, real and imaginary parts apart: what the compiler turns into vector instructions without
+// shuffling.
 
 #include <cstddef>
 
@@ -14,12 +15,14 @@ struct SplitMatrix {
 };
 
 /// Rows that a kernel works on: `size` rounded up to full vectors.
-inline std::size_t padded_rows(std::size_t size) { return (size + 3) / 4 * 4; }
+inline std::size_t padded_rows(std::size_t size) {
+    return (size + 3) / 4 * 4;
+}
 
 void set_zero(SplitMatrix& matrix, std::size_t size);
 
-/// L⁻¹ of the Hermitian positive definite `model` = LLᴴ, whose lower triangle is read and overwritten. Returns log det, or NaN
-/// where the matrix is not definite. Above the diagonal `inverse` is zero.
+/// L⁻¹ of the Hermitian positive definite `model` = LLᴴ, whose lower triangle is read and overwritten. Returns log det,
+/// or NaN where the matrix is not definite. Above the diagonal `inverse` is zero.
 double invert_factor(SplitMatrix& model, std::size_t size, SplitMatrix& inverse);
 
 /// log det alone.

@@ -24,8 +24,12 @@ MeasuredSpectra empty_part(double seconds, const ObservationOptions& options, st
     const auto samples = static_cast<std::size_t>(seconds * kSamplingRate_hz);
     const recordings::Segmentation own = recordings::segmentation_of(segments, kSamplingRate_hz, samples);
     if (own.count == 0)
-        throw parameters::ParameterError("window_s", "a part of the record is shorter than one window", "a shorter window or a longer record");
-    return {.values = {}, .log_determinant = std::vector<double>(bins, 0.0), .averages = recordings::averages_per_bin(own), .seconds = seconds};
+        throw parameters::ParameterError("window_s", "a part of the record is shorter than one window",
+                                         "a shorter window or a longer record");
+    return {.values = {},
+            .log_determinant = std::vector<double>(bins, 0.0),
+            .averages = recordings::averages_per_bin(own),
+            .seconds = seconds};
 }
 
 /// The expectation of a bin, taken apart.
@@ -34,15 +38,16 @@ struct BinExpectation {
     Eigen::VectorXd noise;
 };
 
-/// Cholesky factor of the bin with its power drawn: r eigenvalues above the noise are not r independent samples of one irregularity
-/// (whitened_bin.hpp).
+/// Cholesky factor of the bin with its power drawn: r eigenvalues above the noise are not r independent samples of one
+/// irregularity (whitened_bin.hpp).
 Eigen::MatrixXcd factor_of(const BinExpectation& bin, double averages, double standard_normal) {
     Eigen::MatrixXcd model = bin.excited;
     model.diagonal() += bin.noise.cast<std::complex<double>>();
     const Eigen::LLT<Eigen::MatrixXcd> factor(model);
     Eigen::MatrixXcd scale = factor.matrixL().solve(bin.excited);
     scale = factor.matrixL().solve(scale.adjoint().eval());
-    const double processes = scale.squaredNorm(), variance = processes > 1.0 ? (processes - 1.0) / (processes * averages) : 0.0;
+    const double processes = scale.squaredNorm(),
+                 variance = processes > 1.0 ? (processes - 1.0) / (processes * averages) : 0.0;
     model = std::exp(std::sqrt(variance) * standard_normal) * bin.excited;
     model.diagonal() += bin.noise.cast<std::complex<double>>();
     return model.llt().matrixL();
@@ -65,19 +70,26 @@ void draw(const std::vector<BinExpectation>& expectations, spectra::ComplexNorma
 }
 
 MeasuredSpectra mean_of(const MeasuredSpectra& first, const MeasuredSpectra& second, std::size_t channels) {
-    MeasuredSpectra mean{.values = first.values, .log_determinant = {}, .averages = first.averages + second.averages,
+    MeasuredSpectra mean{.values = first.values,
+                         .log_determinant = {},
+                         .averages = first.averages + second.averages,
                          .seconds = first.seconds + second.seconds};
     const double share = first.averages / mean.averages;
-    for (std::size_t i = 0; i < mean.values.size(); ++i) mean.values[i] = share * first.values[i] + (1.0 - share) * second.values[i];
+    for (std::size_t i = 0; i < mean.values.size(); ++i)
+        mean.values[i] = share * first.values[i] + (1.0 - share) * second.values[i];
     set_log_determinants(mean, channels, mean.averages);
     return mean;
 }
 
 }  // namespace
 
-Observation observation_shape(double speed_m_per_s, double payload_kg, double seconds, const std::vector<std::string>& responses,
-                              const pem::CaseParameters& believed, const ObservationOptions& options) {
-    Observation shape{.name = "synthesised", .speed_m_per_s = speed_m_per_s, .speed_tolerance = kDefaultSpeedTolerance, .payload_kg = payload_kg};
+Observation observation_shape(double speed_m_per_s, double payload_kg, double seconds,
+                              const std::vector<std::string>& responses, const pem::CaseParameters& believed,
+                              const ObservationOptions& options) {
+    Observation shape{.name = "synthesised",
+                      .speed_m_per_s = speed_m_per_s,
+                      .speed_tolerance = kDefaultSpeedTolerance,
+                      .payload_kg = payload_kg};
     for (const std::string& response : responses) {
         shape.channels.push_back({shape.channels.size(), pem::response_index(response)});
         shape.channel_names.push_back(response);
@@ -94,20 +106,23 @@ Observation observation_shape(double speed_m_per_s, double payload_kg, double se
     return shape;
 }
 
-Observation synthesise(const Observation& shape, std::size_t index, const Trial& truth, const BelievedCase& believed, std::uint64_t seed) {
-    ExpectedSpectra expected = expected_spectra(case_of(truth, believed, shape), truth.speed_m_per_s[index], shape.kernel,
-                                                shape.channels, {}, shape.expectation);
+Observation synthesise(const Observation& shape, std::size_t index, const Trial& truth, const BelievedCase& believed,
+                       std::uint64_t seed) {
+    ExpectedSpectra expected = expected_spectra(case_of(truth, believed, shape), truth.speed_m_per_s[index],
+                                                shape.kernel, shape.channels, {}, shape.expectation);
     scale_channels(truth.log_gain[index], expected.values);
     Trial sound = truth;
     std::fill(sound.floor.begin(), sound.floor.end(), 0.0);
-    const Eigen::VectorXd noise = Eigen::Map<const Eigen::VectorXd>(truth.noise_psd[index].data(), static_cast<long>(truth.noise_psd[index].size()));
+    const Eigen::VectorXd noise = Eigen::Map<const Eigen::VectorXd>(truth.noise_psd[index].data(),
+                                                                    static_cast<long>(truth.noise_psd[index].size()));
     std::vector<BinExpectation> expectations;
     for (std::size_t bin = 0; bin < expected.bins(); ++bin) {
         expectations.push_back({complete_prediction(sound, shape, index, expected, bin), noise});
         expectations.back().excited.diagonal() -= noise.cast<std::complex<double>>();
     }
     Observation drawn = shape;
-    spectra::ComplexNormal normal({static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32), static_cast<std::uint32_t>(index)});
+    spectra::ComplexNormal normal(
+        {static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32), static_cast<std::uint32_t>(index)});
     draw(expectations, normal, drawn.fitted);
     draw(expectations, normal, drawn.held_out);
     drawn.all = mean_of(drawn.fitted, drawn.held_out, shape.channels.size());

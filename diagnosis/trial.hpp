@@ -20,10 +20,12 @@ inline constexpr int kFloorNodeCount = 6;
 struct Trial {
     pem::CaseParameters numbers;
     std::vector<EffectInstance> effects;
-    std::vector<double> speed_m_per_s;            ///< per observation
-    std::vector<std::vector<double>> noise_psd;   ///< per observation and channel
-    std::vector<double> discrepancy;              ///< per observation: relative deviation of a scalar value that the model class cannot say
-    std::vector<std::vector<double>> log_gain;    ///< per observation and channel: of the power of one whose unit cannot be trusted
+    std::vector<double> speed_m_per_s;           ///< per observation
+    std::vector<std::vector<double>> noise_psd;  ///< per observation and channel
+    /// per observation: relative deviation of a scalar value that the model class cannot say
+    std::vector<double> discrepancy;
+    /// per observation and channel: of the power of one whose unit cannot be trusted
+    std::vector<std::vector<double>> log_gain;
     /// Relative amplitude of what the model class cannot say, incoherent between channels: [group][node].
     std::vector<double> floor = std::vector<double>(static_cast<std::size_t>(kFloorGroups) * kFloorNodeCount, 0.0);
 };
@@ -33,13 +35,25 @@ std::size_t floor_group(std::size_t response);
 
 /// Weights of the floor's nodes at a frequency: linear in log f.
 struct FloorPlace {
-    int node = 0;         ///< lower node
-    double share = 0.0;   ///< of the next one
+    int node = 0;        ///< lower node
+    double share = 0.0;  ///< of the next one
 };
 FloorPlace floor_place(double frequency_hz);
 
 /// What an unknown moves.
-enum class UnknownKind { number, effect, irregularity, passing, width, correction, gain, speed, noise, floor, discrepancy };
+enum class UnknownKind {
+    number,
+    effect,
+    irregularity,
+    passing,
+    width,
+    correction,
+    gain,
+    speed,
+    noise,
+    floor,
+    discrepancy
+};
 
 /// An unknown in a coordinate of its own (logarithm of a factor, say) with a Gaussian belief and bounds.
 struct Unknown {
@@ -62,7 +76,8 @@ pem::CaseParameters case_of(const Trial& trial, const BelievedCase& believed, co
 /// The believed case as a trial.
 Trial believed_trial(const BelievedCase& believed, const std::vector<Observation>& observations);
 
-/// Unknowns of retuning and nuisance: numbers within their tolerances, irregularity over wavelength, speeds, noise, floor.
+/// Unknowns of retuning and nuisance: numbers within their tolerances, irregularity over wavelength, speeds, noise,
+/// floor.
 std::vector<Unknown> nuisance_unknowns(const BelievedCase& believed, const std::vector<Observation>& observations);
 
 /// Unknowns of the instance `effect_index` of a trial's effects: its continuous parameters.

@@ -9,17 +9,19 @@ namespace railpem::diagnosis {
 
 namespace {
 
-constexpr int kSteps = 8;             ///< of the secant method for s; the first by Fisher's information, which far from the top is several times the curvature or a part of it
-constexpr double kShorter = 4.0;      ///< times
+/// of the secant method for s; the first by Fisher's information, which far from the top is several times the curvature
+/// or a part of it
+constexpr int kSteps = 8;
+constexpr double kShorter = 4.0;  ///< times
 constexpr double kLongestNewtonStep = 1.0;
-constexpr double kNoStep = 1e-3;        ///< a step that is not worth making: ½·n·r·s² is below a thousandth of a nat
+constexpr double kNoStep = 1e-3;  ///< a step that is not worth making: ½·n·r·s² is below a thousandth of a nat
 constexpr double kLeastExcess = 1e-6;
 
 /// The parts of S(s), and what was measured.
 struct Parts {
     std::size_t size = 0;
-    SplitMatrix excited;           ///< prediction with floor, lower triangle
-    SplitMatrix estimate;          ///< in full
+    SplitMatrix excited;   ///< prediction with floor, lower triangle
+    SplitMatrix estimate;  ///< in full
     double noise[kMostChannels];
     double log_determinant = 0.0;  ///< of the estimate
 };
@@ -27,11 +29,13 @@ struct Parts {
 void split(const std::complex<double>* values, std::size_t size, SplitMatrix& matrix) {
     set_zero(matrix, size);
     for (std::size_t j = 0; j < size; ++j)
-        for (std::size_t i = 0; i < size; ++i) matrix.re[j][i] = values[j * size + i].real(), matrix.im[j][i] = values[j * size + i].imag();
+        for (std::size_t i = 0; i < size; ++i)
+            matrix.re[j][i] = values[j * size + i].real(), matrix.im[j][i] = values[j * size + i].imag();
 }
 
-/// The estimate gets the floor's powers too, so that what is measured under a true model still scatters about it: with the floor in the model alone every estimate
-/// is far too coherent, Fisher's information is not the curvature, and steps that it proposes overshoot.
+/// The estimate gets the floor's powers too, so that what is measured under a true model still scatters about it: with
+/// the floor in the model alone every estimate is far too coherent, Fisher's information is not the curvature, and
+/// steps that it proposes overshoot.
 void blunt(Parts& parts, double least_floor) {
     for (std::size_t c = 0; c < parts.size; ++c) parts.estimate.re[c][c] *= 1.0 + least_floor * least_floor;
     SplitMatrix lower = parts.estimate;
@@ -39,8 +43,8 @@ void blunt(Parts& parts, double least_floor) {
     parts.log_determinant = std::isnan(own) ? 0.0 : own;
 }
 
-Parts parts_of(const Trial& trial, const Observation& observation, std::size_t index, const ExpectedSpectra& prediction, const MeasuredSpectra& data,
-               std::size_t bin, double least_floor) {
+Parts parts_of(const Trial& trial, const Observation& observation, std::size_t index, const ExpectedSpectra& prediction,
+               const MeasuredSpectra& data, std::size_t bin, double least_floor) {
     Parts parts;
     const std::size_t size = parts.size = prediction.channels, first = bin * size * size;
     split(&prediction.values[first], size, parts.excited);
@@ -66,7 +70,8 @@ void whiten_at(const Parts& parts, double s, WhitenedBin& result) {
             model.re[j][i] = result.amplification * parts.excited.re[j][i];
             model.im[j][i] = result.amplification * parts.excited.im[j][i];
         }
-        model.re[j][j] += parts.noise[j];  // NOLINT(clang-analyzer-core.uninitialized.Assign): rows are never fewer than the size
+        // NOLINT(clang-analyzer-core.uninitialized.Assign): rows are never fewer than the size
+        model.re[j][j] += parts.noise[j];
     }
     const double log_determinant = invert_factor(model, size, result.inverse_factor);
     if (std::isnan(log_determinant)) {
@@ -88,7 +93,8 @@ void whiten_at(const Parts& parts, double s, WhitenedBin& result) {
     result.log_likelihood = -(log_determinant - parts.log_determinant + trace - static_cast<double>(size));
 }
 
-/// The residual of the most probable s, a step `share` further: a thousandth in s, always on the side from which the steps come, is tens of nats in the slopes of all bins together.
+/// The residual of the most probable s, a step `share` further: a thousandth in s, always on the side from which the
+/// steps come, is tens of nats in the slopes of all bins together.
 void settle_residual(WhitenedBin& bin, double share, std::size_t size) {
     for (std::size_t j = 0; j < size; ++j)
         for (std::size_t i = j; i < size; ++i) {
@@ -113,7 +119,8 @@ std::array<double, kFloorGroups> floors_at(const Trial& trial, double frequency_
 }
 
 void whiten(const Trial& trial, const Observation& observation, std::size_t index, const ExpectedSpectra& prediction,
-            const MeasuredSpectra& data, std::size_t bin, double least_floor, const BinPower* known, WhitenedBin& result) {
+            const MeasuredSpectra& data, std::size_t bin, double least_floor, const BinPower* known,
+            WhitenedBin& result) {
     const Parts parts = parts_of(trial, observation, index, prediction, data, bin, least_floor);
     double s = known ? known->log_amplification : 0.0;
     result.projection = result.bend = 0.0;
@@ -124,7 +131,8 @@ void whiten(const Trial& trial, const Observation& observation, std::size_t inde
     if (result.processes < 1.0 + kLeastExcess) return;
     const double stiffness = result.processes / (result.processes - 1.0);  // 1/(v·n)
     result.log_likelihood -= 0.5 * stiffness * s * s;
-    double slope = trace_of_product(result.scale, result.residual, parts.size) - stiffness * s, bend = processes + stiffness;
+    double slope = trace_of_product(result.scale, result.residual, parts.size) - stiffness * s,
+           bend = processes + stiffness;
     if (known && known->bend > 0.0) bend = std::clamp(known->bend, bend / kShorter, kShorter * bend);
     WhitenedBin other;  // of twelve kilobytes: the two take turns
     WhitenedBin *best = &result, *next = &other;
@@ -137,7 +145,8 @@ void whiten(const Trial& trial, const Observation& observation, std::size_t inde
             bend *= kShorter;
             continue;
         }
-        const double there = trace_of_product(next->scale, next->residual, parts.size) - stiffness * (s + step), secant = (slope - there) / step;
+        const double there = trace_of_product(next->scale, next->residual, parts.size) - stiffness * (s + step),
+                     secant = (slope - there) / step;
         s += step;
         slope = there;
         next->processes = best->processes;

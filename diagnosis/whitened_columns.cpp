@@ -36,9 +36,19 @@ inline void write(double scale, const Lane& from, double* to) {
 }  // namespace
 
 WhitenedColumns::WhitenedColumns(std::size_t channels, std::size_t unknowns, std::size_t dense)
-    : channels_(channels), unknowns_(unknowns), dense_((dense + kLane - 1) / kLane * kLane), stride_(std::max((unknowns + 3) / 4 * 4, dense_)), inverse_re_(channels * channels), inverse_im_(channels * channels),
-      re_(channels * channels * dense_), im_(re_.size()), half_re_(channels * channels), half_im_(channels * channels),
-      rows_(static_cast<long>(kBins * channels * channels), static_cast<long>(stride_)), residual_(static_cast<long>(kBins * channels * channels)), scale_(static_cast<long>(channels * channels)),
+    : channels_(channels),
+      unknowns_(unknowns),
+      dense_((dense + kLane - 1) / kLane * kLane),
+      stride_(std::max((unknowns + 3) / 4 * 4, dense_)),
+      inverse_re_(channels * channels),
+      inverse_im_(channels * channels),
+      re_(channels * channels * dense_),
+      im_(re_.size()),
+      half_re_(channels * channels),
+      half_im_(channels * channels),
+      rows_(static_cast<long>(kBins * channels * channels), static_cast<long>(stride_)),
+      residual_(static_cast<long>(kBins * channels * channels)),
+      scale_(static_cast<long>(channels * channels)),
       gradient_(Eigen::VectorXd::Zero(static_cast<long>(stride_))),
       information_(Eigen::MatrixXd::Zero(static_cast<long>(stride_), static_cast<long>(stride_))) {}
 
@@ -50,7 +60,10 @@ void WhitenedColumns::begin(const SplitMatrix& inverse_factor, double amplificat
             inverse_im_[i * channels_ + j] = inverse_factor.im[j][i];
         }
     // Of unknowns that only add_diagonal() moves.
-    rows_.block(static_cast<long>(bins_ * channels_ * channels_), static_cast<long>(dense_), static_cast<long>(channels_ * channels_), static_cast<long>(stride_ - dense_)).setZero();
+    rows_
+        .block(static_cast<long>(bins_ * channels_ * channels_), static_cast<long>(dense_),
+               static_cast<long>(channels_ * channels_), static_cast<long>(stride_ - dense_))
+        .setZero();
 }
 
 void WhitenedColumns::set(std::size_t unknown, const std::complex<double>* derivative, const double* diagonal) {
@@ -76,8 +89,10 @@ void WhitenedColumns::whiten_block(std::size_t first) {
             for (std::size_t k = 0; k <= i; ++k) {
                 const double a = inverse_re_[i * channels_ + k], b = inverse_im_[i * channels_ + k];
                 // D_kj = conj(D_jk) above the diagonal.
-                if (k >= j) add_product(a, b, at(re_, k, j) + first, at(im_, k, j) + first, re, im);
-                else add_product_with_conjugate(a, b, at(re_, j, k) + first, at(im_, j, k) + first, re, im);
+                if (k >= j)
+                    add_product(a, b, at(re_, k, j) + first, at(im_, k, j) + first, re, im);
+                else
+                    add_product_with_conjugate(a, b, at(re_, j, k) + first, at(im_, j, k) + first, re, im);
             }
             half_re_[i * channels_ + j] = re;
             half_im_[i * channels_ + j] = im;
@@ -87,7 +102,8 @@ void WhitenedColumns::whiten_block(std::size_t first) {
         for (std::size_t i = j; i < channels_; ++i) {
             Lane re{}, im{};
             for (std::size_t k = 0; k <= j; ++k)
-                add_product(inverse_re_[j * channels_ + k], -inverse_im_[j * channels_ + k], half_re_[i * channels_ + k].data(), half_im_[i * channels_ + k].data(), re, im);
+                add_product(inverse_re_[j * channels_ + k], -inverse_im_[j * channels_ + k],
+                            half_re_[i * channels_ + k].data(), half_im_[i * channels_ + k].data(), re, im);
             const double scale = i == j ? 1.0 : std::numbers::sqrt2;
             write(scale, re, rows_.row(static_cast<long>(row++)).data() + first);
             if (i != j) write(scale, im, rows_.row(static_cast<long>(row++)).data() + first);

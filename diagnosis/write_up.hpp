@@ -11,14 +11,15 @@ namespace railpem::diagnosis {
 struct Findings {
     const BelievedCase& believed;
     const std::vector<Observation>& observations;
-    const LikelihoodContext& context;      ///< of the fitted part
+    const LikelihoodContext& context;  ///< of the fitted part
     const VerdictThresholds& thresholds;
     const NamingResult& naming;
     const PlaceStudy& study;
     const Decision& decision;
-    const FittedSet& retuned;              ///< refitted on all of the recordings
-    const FittedSet* kept;                 ///< that too, with the beliefs kept that are given up; nullptr where the verdict is held against `retuned`
-    const FittedSet& named;                ///< that too; `retuned` where nothing is named
+    const FittedSet& retuned;  ///< refitted on all of the recordings
+    /// that too, with the beliefs kept that are given up; nullptr where the verdict is held against `retuned`
+    const FittedSet* kept;
+    const FittedSet& named;  ///< that too; `retuned` where nothing is named
 };
 
 /// Verdict, names, places, figures and statement, into `result`.

@@ -13,7 +13,8 @@ using lanes::Complex;
 
 CoupledModel coupled_model(const CaseParameters& parameters, double speed_m_per_s) {
     const track::StaticEquilibrium equilibrium = case_equilibrium(parameters);
-    CoupledModel model = coupled_model(parameters, rail_model(parameters, vehicle::wheel_positions(parameters.vehicle), equilibrium, speed_m_per_s));
+    CoupledModel model = coupled_model(
+        parameters, rail_model(parameters, vehicle::wheel_positions(parameters.vehicle), equilibrium, speed_m_per_s));
     if (parameters.track.pads.preload_strength > 0.0) model.warnings = equilibrium.warnings;
     return model;
 }

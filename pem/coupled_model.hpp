@@ -17,7 +17,7 @@ namespace railpem::pem {
 struct CoupledModel {
     vehicle::HalfVehicle car;
     std::shared_ptr<const RailModel> rail;
-    std::vector<double> wheels_m;             ///< positions of the wheels, front first
+    std::vector<double> wheels_m;                ///< positions of the wheels, front first
     std::array<double, 4> contact_compliance{};  ///< 1/K_h per wheel without the correction, m/N
     lanes::FactorCurve contact_correction;       ///< of K_h, as in ContactParameters
     std::vector<std::string> warnings;
@@ -26,7 +26,8 @@ struct CoupledModel {
 /// `speed_m_per_s` matters only for a case with solver.moving.
 CoupledModel coupled_model(const CaseParameters& parameters, double speed_m_per_s);
 
-/// The same on the `rail` of a case whose track, speed and wheels are the same, and its load where that stiffens the pads. Without warnings.
+/// The same on the `rail` of a case whose track, speed and wheels are the same, and its load where that stiffens the
+/// pads. Without warnings.
 CoupledModel coupled_model(const CaseParameters& parameters, std::shared_ptr<const RailModel> rail);
 
 using WheelVector = std::array<lanes::Complex, 4>;

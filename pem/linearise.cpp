@@ -17,11 +17,14 @@ namespace {
 constexpr int kMostIterations = 200;
 constexpr double kSettled = 1e-12;  ///< differences of 1e-7 are taken of what follows from it
 constexpr double kRounding = 1e-8;  ///< below it what does not get smaller is rounding: a blocked stage hardly moves
-constexpr double kNear = 0.3;       ///< change from which on steps are mixed; friction that blocks its stage runs away to where nothing moves, and has to be let
+/// change from which on steps are mixed; friction that blocks its stage runs away to where nothing moves, and has to be
+/// let
+constexpr double kNear = 0.3;
 constexpr int kMostLines = 512;
 constexpr double kSmallestVelocity = 1e-9;  ///< m/s; keeps the equivalent damping finite when nothing moves
 
-/// Mean squares that the linearisation needs. The contact force is that which compresses the uncorrected contact as much.
+/// Mean squares that the linearisation needs. The contact force is that which compresses the uncorrected contact as
+/// much.
 struct MeanSquares {
     std::array<double, 4> primary_velocity{}, contact_force{};
     std::array<double, 2> secondary_velocity{};
@@ -42,20 +45,24 @@ struct Lines {
 };
 
 Lines lines_of(const FrequencyParameters& grid) {
-    const int count = std::max(2, std::min(kMostLines, static_cast<int>((grid.to_hz - grid.from_hz) / grid.step_hz) + 1));
+    const int count =
+        std::max(2, std::min(kMostLines, static_cast<int>((grid.to_hz - grid.from_hz) / grid.step_hz) + 1));
     return {count, (grid.to_hz - grid.from_hz) / (count - 1)};
 }
 
-std::vector<UnchangedGroup> unchanged_groups(const CaseParameters& parameters, const std::vector<Source>& sources, const CoupledModel& model,
-                                             const std::vector<RailGroup>* rails) {
+std::vector<UnchangedGroup> unchanged_groups(const CaseParameters& parameters, const std::vector<Source>& sources,
+                                             const CoupledModel& model, const std::vector<RailGroup>* rails) {
     const auto [lines, step] = lines_of(parameters.frequency);
     std::vector<UnchangedGroup> groups;
     CoupledWorkspace workspace(model);
     for (int first = 0; first < lines; first += lanes::width) {
         LineGroup group{.step_hz = step};
-        for (int lane = 0; lane < lanes::width; ++lane) group.omega[lane] = kTwoPi * (parameters.frequency.from_hz + std::min(first + lane, lines - 1) * step);
-        UnchangedGroup own{.rail = rails ? (*rails)[groups.size()] : rail_group(group.omega, workspace), .irregularity = {},
-                           .count = std::min(lanes::width, lines - first), .step_hz = step};
+        for (int lane = 0; lane < lanes::width; ++lane)
+            group.omega[lane] = kTwoPi * (parameters.frequency.from_hz + std::min(first + lane, lines - 1) * step);
+        UnchangedGroup own{.rail = rails ? (*rails)[groups.size()] : rail_group(group.omega, workspace),
+                           .irregularity = {},
+                           .count = std::min(lanes::width, lines - first),
+                           .step_hz = step};
         for (const Source& source : sources) own.irregularity.push_back(source.amplitude(group));
         groups.push_back(std::move(own));
     }
@@ -88,7 +95,8 @@ MeanSquares mean_squares(const std::vector<UnchangedGroup>& groups, const Couple
     return sums;
 }
 
-/// The equivalent elements that are looked for. All are positive, and ask for powers of each other: their logarithms are iterated.
+/// The equivalent elements that are looked for. All are positive, and ask for powers of each other: their logarithms
+/// are iterated.
 std::vector<double*> elements_of(const CaseParameters& parameters, CoupledModel& model) {
     std::vector<double*> result;
     const auto add = [&](auto& values) {
@@ -100,12 +108,16 @@ std::vector<double*> elements_of(const CaseParameters& parameters, CoupledModel&
     return result;
 }
 
-double friction_damping(double force, double velocity) { return force * std::sqrt(2.0 / std::numbers::pi) / std::max(velocity, kSmallestVelocity); }
+double friction_damping(double force, double velocity) {
+    return force * std::sqrt(2.0 / std::numbers::pi) / std::max(velocity, kSmallestVelocity);
+}
 
 /// What the elements, in the order of elements_of(), ought to be when the response has these mean squares.
-std::vector<double> targets_of(const CaseParameters& parameters, const MeanSquares& squares, const CoupledModel& model, Linearisation& result) {
+std::vector<double> targets_of(const CaseParameters& parameters, const MeanSquares& squares, const CoupledModel& model,
+                               Linearisation& result) {
     std::vector<double> targets;
-    const double constant = contact_constant(parameters.contact, parameters.vehicle.wheel_radius_m), load = wheel_load_n(parameters);
+    const double constant = contact_constant(parameters.contact, parameters.vehicle.wheel_radius_m),
+                 load = wheel_load_n(parameters);
     for (std::size_t e = 0; e < 4; ++e) {
         result.primary_velocity_m_per_s[e] = std::sqrt(squares.primary_velocity[e]);
         if (const double force = parameters.vehicle.primary.friction_force_n; force > 0.0)
@@ -140,8 +152,12 @@ MeanContact mean_contact(double constant, double wheel_load, double deviation) {
     const double linear = contact_stiffness(constant, wheel_load);
     if (deviation <= 0.0) return {linear, 0.0};
     const double scale = std::pow(constant, -1.5);
-    const auto force = [&](double mean) { return gaussian_mean([&](double xi) { return scale * std::pow(std::max(0.0, mean + deviation * xi), 1.5); }); };
-    const auto slope = [&](double mean) { return gaussian_mean([&](double xi) { return 1.5 * scale * std::sqrt(std::max(0.0, mean + deviation * xi)); }); };
+    const auto force = [&](double mean) {
+        return gaussian_mean([&](double xi) { return scale * std::pow(std::max(0.0, mean + deviation * xi), 1.5); });
+    };
+    const auto slope = [&](double mean) {
+        return gaussian_mean([&](double xi) { return 1.5 * scale * std::sqrt(std::max(0.0, mean + deviation * xi)); });
+    };
     // The quadrature's own value at rest is taken out, so that σ → 0 gives K_h to rounding.
     double mean = at_rest;
     for (int i = 0; i < 50; ++i) {
@@ -152,11 +168,15 @@ MeanContact mean_contact(double constant, double wheel_load, double deviation) {
     return {slope(mean), 0.5 * std::erfc(mean / deviation / std::numbers::sqrt2)};
 }
 
-VelocitySpectra velocity_spectra(const CaseParameters& parameters, const std::vector<Source>& sources, const CoupledModel& model, vehicle::Law law,
-                                 const std::vector<RailGroup>& rails) {
+VelocitySpectra velocity_spectra(const CaseParameters& parameters, const std::vector<Source>& sources,
+                                 const CoupledModel& model, vehicle::Law law, const std::vector<RailGroup>& rails) {
     const std::vector<UnchangedGroup> groups = unchanged_groups(parameters, sources, model, &rails);
     const std::size_t n = law == vehicle::Law::primary ? 4 : 2;
-    VelocitySpectra result{.from_hz = parameters.frequency.from_hz, .step_hz = groups.front().step_hz, .elements = n, .lines = 0, .values = {}};
+    VelocitySpectra result{.from_hz = parameters.frequency.from_hz,
+                           .step_hz = groups.front().step_hz,
+                           .elements = n,
+                           .lines = 0,
+                           .values = {}};
     for (const UnchangedGroup& group : groups) result.lines += static_cast<std::size_t>(group.count);
     result.values.assign(result.lines * n * n, 0.0);
     CoupledWorkspace workspace(model);
@@ -167,26 +187,34 @@ VelocitySpectra velocity_spectra(const CaseParameters& parameters, const std::ve
             const WheelVector force = contact_forces(solution, irregularity);
             std::array<lanes::Complex, 4> elongation{};
             for (std::size_t e = 0; e < n; ++e)
-                for (std::size_t j = 0; j < 4; ++j) elongation[e] += (law == vehicle::Law::primary ? solution.car.primary[e][j] : solution.car.secondary[e][j]) * force[j];
+                for (std::size_t j = 0; j < 4; ++j)
+                    elongation[e] +=
+                        (law == vehicle::Law::primary ? solution.car.primary[e][j] : solution.car.secondary[e][j]) *
+                        force[j];
             for (int lane = 0; lane < group.count; ++lane)
                 for (std::size_t i = 0; i < n; ++i)
                     for (std::size_t j = 0; j < n; ++j)
                         result.values[((first + static_cast<std::size_t>(lane)) * n + i) * n + j] +=
-                            group.rail.omega[lane] * group.rail.omega[lane] * elongation[i][lane] * std::conj(elongation[j][lane]);
+                            group.rail.omega[lane] * group.rail.omega[lane] * elongation[i][lane] *
+                            std::conj(elongation[j][lane]);
         }
         first += static_cast<std::size_t>(group.count);
     }
     return result;
 }
 
-std::vector<RailGroup> linearisation_rails(const CaseParameters& parameters, const CoupledModel& model, const RollingTable& rolling) {
+std::vector<RailGroup> linearisation_rails(const CaseParameters& parameters, const CoupledModel& model,
+                                           const RollingTable& rolling) {
     constexpr int kEvery = 4;
     const auto [count, step] = lines_of(parameters.frequency);
-    if (!rolling.at.empty()) return rolling_rails(rolling, model, parameters.frequency.from_hz, step, static_cast<std::size_t>(count), kEvery);
+    if (!rolling.at.empty())
+        return rolling_rails(rolling, model, parameters.frequency.from_hz, step, static_cast<std::size_t>(count),
+                             kEvery);
     return rail_groups(model, parameters.frequency.from_hz, step, static_cast<std::size_t>(count), kEvery, 1);
 }
 
-Linearisation linearise(const CaseParameters& parameters, const std::vector<Source>& sources, CoupledModel& model, const std::vector<RailGroup>* rails) {
+Linearisation linearise(const CaseParameters& parameters, const std::vector<Source>& sources, CoupledModel& model,
+                        const std::vector<RailGroup>* rails) {
     Linearisation result;
     if (!is_nonlinear(parameters)) return result;
     const std::vector<double*> elements = elements_of(parameters, model);
@@ -195,7 +223,8 @@ Linearisation linearise(const CaseParameters& parameters, const std::vector<Sour
     Eigen::VectorXd x(elements.size()), asked(elements.size());
     for (result.iterations = 1; result.iterations <= kMostIterations; ++result.iterations) {
         const std::vector<double> targets = targets_of(parameters, mean_squares(groups, model), model, result);
-        const bool begun = std::all_of(elements.begin(), elements.end(), [](const double* value) { return *value > 0.0; });
+        const bool begun =
+            std::all_of(elements.begin(), elements.end(), [](const double* value) { return *value > 0.0; });
         for (long e = 0; e < x.size(); ++e) {
             const auto i = static_cast<std::size_t>(e);
             x(e) = std::log(begun ? *elements[i] : targets[i]);
@@ -203,8 +232,12 @@ Linearisation linearise(const CaseParameters& parameters, const std::vector<Sour
         }
         const double before = result.change;
         result.change = begun ? asked.lpNorm<Eigen::Infinity>() : 1.0;
-        const bool settled = result.change < kSettled || (result.change < kRounding && result.change > 0.5 * before && before > 0.0);
-        if (begun) x += settled || result.change > kNear ? asked : Eigen::VectorXd(mixing.step(x, asked).cwiseMax(-kNear).cwiseMin(kNear));
+        const bool settled =
+            result.change < kSettled || (result.change < kRounding && result.change > 0.5 * before && before > 0.0);
+        if (begun)
+            x += settled || result.change > kNear
+                     ? asked
+                     : Eigen::VectorXd(mixing.step(x, asked).cwiseMax(-kNear).cwiseMin(kNear));
         for (long e = 0; e < x.size(); ++e) *elements[static_cast<std::size_t>(e)] = std::exp(x(e));
         if (settled) break;
     }

@@ -13,7 +13,8 @@ namespace {
 using Phasor = std::complex<double>;
 
 constexpr int kMostOrders = 3;  ///< either side
-using Forces = Eigen::Matrix<Phasor, Eigen::Dynamic, Eigen::Dynamic, 0, 4 * (2 * kMostOrders + 1), 4 * (2 * kMostOrders + 1)>;
+using Forces =
+    Eigen::Matrix<Phasor, Eigen::Dynamic, Eigen::Dynamic, 0, 4 * (2 * kMostOrders + 1), 4 * (2 * kMostOrders + 1)>;
 using Units = Eigen::Matrix<Phasor, Eigen::Dynamic, 4, 0, 4 * (2 * kMostOrders + 1), 4>;
 using Block = Eigen::Matrix<Phasor, 4, 4>;
 
@@ -23,9 +24,13 @@ std::array<Phasor, 4> unit(std::size_t wheel) {
     return one;
 }
 
-Block block_of(const WheelPairs& pairs) { return Eigen::Map<const Eigen::Matrix<Phasor, 4, 4, Eigen::RowMajor>>(pairs.data()); }
+Block block_of(const WheelPairs& pairs) {
+    return Eigen::Map<const Eigen::Matrix<Phasor, 4, 4, Eigen::RowMajor>>(pairs.data());
+}
 
-Block forces_per_irregularity(const ModulationTransfers& transfers, double frequency) { return block_of(forces_at(transfers, frequency)); }
+Block forces_per_irregularity(const ModulationTransfers& transfers, double frequency) {
+    return block_of(forces_at(transfers, frequency));
+}
 
 Block felt_per_force(const Modulation& modulation, const ModulationTransfers& transfers, double from) {
     if (modulation.bays != 0) {
@@ -56,13 +61,15 @@ struct Coupled {
 
     long place(int m) const { return 4 * (m + highest); }
 
-    Coupled(const std::vector<Modulation>& orders, const ModulationTransfers& transfers, double from, int highest_order) : highest(highest_order) {
+    Coupled(const std::vector<Modulation>& orders, const ModulationTransfers& transfers, double from, int highest_order)
+        : highest(highest_order) {
         const long size = 4 * (2 * highest + 1);
         coupling = Forces::Zero(size, size);
         for (int n = -highest; n <= highest; ++n)
             for (const Modulation& order : orders)
                 if (order.bays != 0 && std::abs(n + order.bays) <= highest)
-                    coupling.block<4, 4>(place(n + order.bays), place(n)) = felt_per_force(order, transfers, from + n * transfers.bay_hz);
+                    coupling.block<4, 4>(place(n + order.bays), place(n)) =
+                        felt_per_force(order, transfers, from + n * transfers.bay_hz);
         Forces system = Forces::Identity(size, size);
         force = Units::Zero(size, 4);
         for (int m = -highest; m <= highest; ++m) {
@@ -89,15 +96,20 @@ std::vector<FeltOrder> felt_orders(const std::vector<Modulation>& orders, const 
         const Coupled coupled(orders, transfers, from, highest);
         const Units irregularity = coupled.coupling * coupled.force;
         const Block force = coupled.force.middleRows<4>(coupled.place(0));
-        const auto scatter = [&](int order, double shift) -> Block { return -(block_of(order_at(scattered, order, from + 0.5 * shift)) * force); };
+        const auto scatter = [&](int order, double shift) -> Block {
+            return -(block_of(order_at(scattered, order, from + 0.5 * shift)) * force);
+        };
         Block back = irregularity.middleRows<4>(coupled.place(0));
         if (scattered.highest > 0) back += scatter(0, 0.0);
         all.front().at.push_back(by_rows(back));
         for (std::size_t k = 0; k < orders.size(); ++k) {
             const int m = orders[k].bays;
-            if (m != 0 && std::abs(m) <= highest) all[k + 1].at.push_back(by_rows(irregularity.middleRows<4>(coupled.place(m))));
-            else if (orders[k].failures != 0) all[k + 1].at.push_back(by_rows(scatter(orders[k].failures, orders[k].shift_hz)));
-            else all[k + 1].at.push_back(by_rows(felt_per_force(orders[k], transfers, from) * force));
+            if (m != 0 && std::abs(m) <= highest)
+                all[k + 1].at.push_back(by_rows(irregularity.middleRows<4>(coupled.place(m))));
+            else if (orders[k].failures != 0)
+                all[k + 1].at.push_back(by_rows(scatter(orders[k].failures, orders[k].shift_hz)));
+            else
+                all[k + 1].at.push_back(by_rows(felt_per_force(orders[k], transfers, from) * force));
         }
     }
     return all;
@@ -107,10 +119,12 @@ std::array<Phasor, 16> at_frequency(const FeltOrder& order, double from) {
     const double place = from / ModulationTransfers::kStep_hz - 1.0;
     const std::size_t below = place <= 0.0 ? 0 : std::min(static_cast<std::size_t>(place), order.at.size() - 2);
     const double share = std::clamp(place - static_cast<double>(below), 0.0, 1.0);
-    // Below the first line a vehicle that rises and falls with the track has forces with the square of the frequency, and the irregularity has most of its power.
+    // Below the first line a vehicle that rises and falls with the track has forces with the square of the frequency,
+    // and the irregularity has most of its power.
     const double rise = std::min(1.0, std::pow(from / ModulationTransfers::kStep_hz, 2));
     std::array<Phasor, 16> result;
-    for (std::size_t i = 0; i < 16; ++i) result[i] = rise * ((1.0 - share) * order.at[below][i] + share * order.at[below + 1][i]);
+    for (std::size_t i = 0; i < 16; ++i)
+        result[i] = rise * ((1.0 - share) * order.at[below][i] + share * order.at[below + 1][i]);
     return result;
 }
 
@@ -120,7 +134,8 @@ LineSet felt_lines(const std::vector<FeltOrder>& orders, const LineSet& lines) {
         for (std::size_t k = 0; k < orders.size(); ++k) {
             const double to = line.frequency_hz + orders[k].shift_hz;
             const std::array<Phasor, 16> at = at_frequency(orders[k], line.frequency_hz);
-            SpectralLine own{.frequency_hz = std::abs(to), .amplitude_m = k == 0 ? line.amplitude_m : std::array<Phasor, 4>{}};
+            SpectralLine own{.frequency_hz = std::abs(to),
+                             .amplitude_m = k == 0 ? line.amplitude_m : std::array<Phasor, 4>{}};
             for (std::size_t i = 0; i < 4; ++i)
                 for (std::size_t j = 0; j < 4; ++j) own.amplitude_m[i] += at[i * 4 + j] * line.amplitude_m[j];
             if (to < 0.0)
@@ -130,11 +145,16 @@ LineSet felt_lines(const std::vector<FeltOrder>& orders, const LineSet& lines) {
     return result;
 }
 
-std::array<Phasor, 4> felt_irregularity(const std::vector<FeltOrder>& orders, std::size_t which, const DelayedSpectrum& source, const std::vector<double>& wheels, double speed, double frequency) {
+std::array<Phasor, 4> felt_irregularity(const std::vector<FeltOrder>& orders, std::size_t which,
+                                        const DelayedSpectrum& source, const std::vector<double>& wheels, double speed,
+                                        double frequency) {
     const double from = frequency - orders[which].shift_hz, size = std::abs(from);
     if (from == 0.0) return {};
     // Of a negative frequency the conjugate of the other side, which is its neighbour.
-    const std::array<Phasor, 16> at = at_frequency(orders[from > 0.0 ? which : which % 2 == 1 ? which + 1 : which - 1], size);
+    const std::array<Phasor, 16> at = at_frequency(orders[from > 0.0       ? which
+                                                          : which % 2 == 1 ? which + 1
+                                                                           : which - 1],
+                                                   size);
     const double root = std::sqrt(source.psd_m2_per_hz(size));
     std::array<Phasor, 4> result{};
     for (std::size_t j = 0; j < 4; ++j) {

@@ -16,7 +16,9 @@ namespace {
 
 constexpr int kOrdersPerBay = 4;  ///< the deflection over a bay has hardly more (fifth order below 1e-3 of the first)
 constexpr int kPositionsPerBay = 12;  ///< samples the fourth order three times per wave
-constexpr double kWithinBelief = 1.3;  ///< times the case's own: three deviations of what its compliance is believed to be off by (trial.cpp); beyond, something else excites like the supports
+/// times the case's own: three deviations of what its compliance is believed to be off by (trial.cpp); beyond,
+/// something else excites like the supports
+constexpr double kWithinBelief = 1.3;
 constexpr int kPulseReach =
     12;  ///< bays on each side of a wheel in which a failed seat is still felt (decay below 1e-4)
 
@@ -25,20 +27,24 @@ int failure_period(const CaseParameters& parameters) {
     return failed.empty() ? 0 : failed.front().every;
 }
 
-/// k + k' modulo the samples of a period, where the train at sample k' is the mirror image of the train at sample k: seats and equal loads
-/// know no direction, and regular failures are symmetric about each of them. Nothing where the wheels are not symmetric or their images
-/// fall between the samples.
+/// k + k' modulo the samples of a period, where the train at sample k' is the mirror image of the train at sample k:
+/// seats and equal loads know no direction, and regular failures are symmetric about each of them. Nothing where the
+/// wheels are not symmetric or their images fall between the samples.
 std::optional<int> mirrored_sum(const CaseParameters& parameters, const std::vector<double>& wheels_m) {
     for (std::size_t i = 0; i < wheels_m.size(); ++i)
-        if (std::abs(wheels_m[i] + wheels_m[wheels_m.size() - 1 - i] - wheels_m.front() - wheels_m.back()) > 1e-9) return std::nullopt;
+        if (std::abs(wheels_m[i] + wheels_m[wheels_m.size() - 1 - i] - wheels_m.front() - wheels_m.back()) > 1e-9)
+            return std::nullopt;
     // Wheel 1 stands at X = k/12 − first_seat bays from a failed seat, its image, the last wheel, at D − X.
     const double samples = (wheels_m.front() - wheels_m.back()) / parameters.track.spacing_m * kPositionsPerBay;
     if (std::abs(samples - std::round(samples)) > 1e-9) return std::nullopt;
     const auto& failed = parameters.track.failed_fasteners;
-    return static_cast<int>(std::round(samples)) + 2 * kPositionsPerBay * (failed.empty() ? 0 : failed.front().first_seat);
+    return static_cast<int>(std::round(samples)) +
+           2 * kPositionsPerBay * (failed.empty() ? 0 : failed.front().first_seat);
 }
 
-int modulo(int a, int n) { return (a % n + n) % n; }
+int modulo(int a, int n) {
+    return (a % n + n) % n;
+}
 
 /// The train at every sampled place of a period; places that are mirror images of others are not computed.
 struct Samples {
@@ -64,21 +70,25 @@ Samples sampled_positions(const CaseParameters& parameters, const std::vector<do
     }
     const auto& failed = parameters.track.failed_fasteners;
     std::vector<int> first_seats;  // the bays of a phase one after the other
-    for (int bay = 0; bay < period; ++bay) first_seats.push_back((failed.empty() ? 0 : failed.front().first_seat) - bay);
+    for (int bay = 0; bay < period; ++bay)
+        first_seats.push_back((failed.empty() ? 0 : failed.front().first_seat) - bay);
     Samples samples{{parameters, wheels_m, bay_shares, first_seats}, {}};
     for (int k = 0; k < kPositionsPerBay * period; ++k) {
         const bool mirrored = !computed[static_cast<std::size_t>(k % kPositionsPerBay)];
         const int source = mirrored ? modulo(*sum - k, kPositionsPerBay * period) : k;
-        samples.sample.push_back({samples.positions.place(phase[static_cast<std::size_t>(source % kPositionsPerBay)], static_cast<std::size_t>(source / kPositionsPerBay)), mirrored});
+        samples.sample.push_back({samples.positions.place(phase[static_cast<std::size_t>(source % kPositionsPerBay)],
+                                                          static_cast<std::size_t>(source / kPositionsPerBay)),
+                                  mirrored});
     }
     return samples;
 }
 
 /// Fourier coefficient m of −P0·ΣC over a period of n bays, for each order of a lane group, at half of each order's own
 /// frequency.
-std::array<std::array<std::complex<double>, 4>, lanes::width> coefficients(const CaseParameters& parameters, const Samples& train,
-                                                              const std::array<int, lanes::width>& orders, int period,
-                                                              double speed) {
+std::array<std::array<std::complex<double>, 4>, lanes::width> coefficients(const CaseParameters& parameters,
+                                                                           const Samples& train,
+                                                                           const std::array<int, lanes::width>& orders,
+                                                                           int period, double speed) {
     lanes::Real omega{};
     for (int lane = 0; lane < lanes::width; ++lane)
         omega[lane] = 0.5 * kTwoPi * orders[lane] * speed / (period * parameters.track.spacing_m);
@@ -97,24 +107,30 @@ std::array<std::array<std::complex<double>, 4>, lanes::width> coefficients(const
             im[lane] = root.imag();
         }
         const auto& [place, mirrored] = train.sample[static_cast<std::size_t>(k)];
-        for (std::size_t wheel = 0; wheel < 4; ++wheel) sum[wheel] += deflection[4 * place + (mirrored ? 3 - wheel : wheel)] * lanes::Complex(re, im);
+        for (std::size_t wheel = 0; wheel < 4; ++wheel)
+            sum[wheel] += deflection[4 * place + (mirrored ? 3 - wheel : wheel)] * lanes::Complex(re, im);
     }
     std::array<std::array<std::complex<double>, 4>, lanes::width> result{};
     for (int lane = 0; lane < lanes::width; ++lane)
-        for (std::size_t wheel = 0; wheel < 4; ++wheel) result[static_cast<std::size_t>(lane)][wheel] = -share * sum[wheel][lane];
+        for (std::size_t wheel = 0; wheel < 4; ++wheel)
+            result[static_cast<std::size_t>(lane)][wheel] = -share * sum[wheel][lane];
     return result;
 }
 
 /// Sound fasteners: `factor` times the rail under wheels that roll or stand, in closed form but for what load changes.
-std::vector<SpectralLine> lines_of_the_bays(const CaseParameters& parameters, const std::vector<double>& wheels_m, double speed, double factor, bool standing, const track::PadHistory* known = nullptr) {
+std::vector<SpectralLine> lines_of_the_bays(const CaseParameters& parameters, const std::vector<double>& wheels_m,
+                                            double speed, double factor, bool standing,
+                                            const track::PadHistory* known = nullptr) {
     const double spacing = parameters.track.spacing_m;
     const int orders = std::min(kOrdersPerBay, static_cast<int>(parameters.frequency.to_hz * spacing / speed));
-    const track::PadHistory history = known ? *known : track::pad_history(parameters.track, wheels_m, wheel_load_n(parameters), speed, standing);
+    const track::PadHistory history =
+        known ? *known : track::pad_history(parameters.track, wheels_m, wheel_load_n(parameters), speed, standing);
     const auto deflection = track::rolling_deflection(parameters.track, wheels_m, speed, history, orders, standing);
     std::vector<SpectralLine> lines;
     for (int m = 1; m <= orders; ++m) {
         SpectralLine line{.frequency_hz = m * speed / spacing};
-        for (std::size_t wheel = 0; wheel < 4; ++wheel) line.amplitude_m[wheel] = -2.0 * factor * deflection[static_cast<std::size_t>(m - 1) * 4 + wheel];
+        for (std::size_t wheel = 0; wheel < 4; ++wheel)
+            line.amplitude_m[wheel] = -2.0 * factor * deflection[static_cast<std::size_t>(m - 1) * 4 + wheel];
         lines.push_back(line);
     }
     return lines;
@@ -127,13 +143,17 @@ double own_passing(const CaseParameters& parameters) {
     return parameters.track.failed_fasteners.empty() ? std::min(factor, kWithinBelief) : factor;
 }
 
-double excess_passing(const CaseParameters& parameters) { return parameters.sleeper_passing.amplitude_factor - own_passing(parameters); }
+double excess_passing(const CaseParameters& parameters) {
+    return parameters.sleeper_passing.amplitude_factor - own_passing(parameters);
+}
 
-std::vector<SpectralLine> unit_excess_lines(const CaseParameters& parameters, const std::vector<double>& wheels_m, double speed) {
+std::vector<SpectralLine> unit_excess_lines(const CaseParameters& parameters, const std::vector<double>& wheels_m,
+                                            double speed) {
     return lines_of_the_bays(parameters, wheels_m, speed, 1.0, true);
 }
 
-std::vector<SpectralLine> passing_lines(const CaseParameters& parameters, const std::vector<double>& wheels_m, double speed, const track::PadHistory* rolling) {
+std::vector<SpectralLine> passing_lines(const CaseParameters& parameters, const std::vector<double>& wheels_m,
+                                        double speed, const track::PadHistory* rolling) {
     const double factor = parameters.sleeper_passing.amplitude_factor;
     const int period = std::max(1, failure_period(parameters));
     if (factor == 0.0 && period == 1) return {};
@@ -158,7 +178,8 @@ std::vector<SpectralLine> passing_lines(const CaseParameters& parameters, const 
     return lines;
 }
 
-std::function<std::array<std::complex<double>, 4>(double)> failed_fastener_amplitudes(const CaseParameters& parameters, const std::vector<double>& wheels_m, double speed) {
+std::function<std::array<std::complex<double>, 4>(double)> failed_fastener_amplitudes(
+    const CaseParameters& parameters, const std::vector<double>& wheels_m, double speed) {
     if (parameters.track.failed_fasteners.empty() || parameters.track.failed_fasteners.front().fraction == 0.0)
         return nullptr;
     const double share = parameters.track.failed_fasteners.front().fraction, spacing = parameters.track.spacing_m;
@@ -179,11 +200,13 @@ std::function<std::array<std::complex<double>, 4>(double)> failed_fastener_ampli
         const std::size_t quarter = static_cast<std::size_t>(k % kFine), bay = static_cast<std::size_t>(k / kFine);
         pulse.emplace_back();
         for (std::size_t wheel = 0; wheel < 4; ++wheel)
-            pulse.back()[wheel] = -wheel_load_n(parameters) * (with[failing.place(quarter, bay) * 4 + wheel].re[0] - without[sound.place(quarter, 0) * 4 + wheel].re[0]);
+            pulse.back()[wheel] = -wheel_load_n(parameters) * (with[failing.place(quarter, bay) * 4 + wheel].re[0] -
+                                                               without[sound.place(quarter, 0) * 4 + wheel].re[0]);
     }
     return [=](double frequency) {
         std::array<std::complex<double>, 4> sum{};
-        const double wavenumber = kTwoPi * frequency / speed, step = spacing / kFine;  // where the pulse begins turns all phases alike
+        // where the pulse begins turns all phases alike
+        const double wavenumber = kTwoPi * frequency / speed, step = spacing / kFine;
         // The rail's bending leaves nothing of the pulse above the samples' Nyquist wavenumber (it falls with its
         // fourth power); the sum over samples would repeat the long waves there.
         if (wavenumber * step > std::numbers::pi) return sum;

@@ -25,7 +25,9 @@ PassingPositions::PassingPositions(const CaseParameters& parameters, const std::
         track.wheel_offset_m = share * track.spacing_m;
         for (track::FailedFasteners& failed : track.failed_fasteners) failed.fraction = 0.0;
         // The train of the phase before is a near start.
-        phase.equilibria = dynamic_equilibria(phase.moved, first_seats, phases_.empty() ? std::vector<track::StaticEquilibrium>{} : phases_.back().equilibria);
+        phase.equilibria =
+            dynamic_equilibria(phase.moved, first_seats,
+                               phases_.empty() ? std::vector<track::StaticEquilibrium>{} : phases_.back().equilibria);
         for (std::size_t s = 0; s < rows_; ++s) {
             set_first_seat(track, first_seats[s]);
             phase.rows.push_back(track::seat_row(track, wheels_m, phase.equilibria[s]));
@@ -35,11 +37,13 @@ PassingPositions::PassingPositions(const CaseParameters& parameters, const std::
     }
 }
 
-void PassingPositions::by_waves(const Phase& phase, const track::BlochWaves& waves, const track::SupportLaw& law, track::ScatterRow& memory, lanes::Complex* result) const {
+void PassingPositions::by_waves(const Phase& phase, const track::BlochWaves& waves, const track::SupportLaw& law,
+                                track::ScatterRow& memory, lanes::Complex* result) const {
     std::vector<track::BayPoint> points;
     for (std::size_t k = 0; k < phase.placed->points.size(); ++k) {
         const double ahead = phase.placed->points[k].ahead_m;
-        // Wheels that stand alike in their bays, as they do where the distances are whole numbers of bays, share the shape.
+        // Wheels that stand alike in their bays, as they do where the distances are whole numbers of bays, share the
+        // shape.
         const bool alike = k > 0 && std::abs(ahead - phase.placed->points[k - 1].ahead_m) < 1e-12;
         points.push_back(alike ? points.back() : track::bay_point(waves, ahead));
     }
@@ -58,7 +62,8 @@ void PassingPositions::directly(const Phase& phase, lanes::Real omega, lanes::Co
         const track::RailReceptance& receptance = track::rail_receptance(rail, omega, workspace);
         for (std::size_t i = 0; i < wheels_m_.size(); ++i, ++result) {
             *result = lanes::Complex{};
-            for (std::size_t j = 0; j < wheels_m_.size(); ++j) *result += receptance.at(static_cast<int>(i), static_cast<int>(j));
+            for (std::size_t j = 0; j < wheels_m_.size(); ++j)
+                *result += receptance.at(static_cast<int>(i), static_cast<int>(j));
         }
     }
 }
@@ -67,7 +72,8 @@ std::vector<lanes::Complex> PassingPositions::deflection(lanes::Real omega) cons
     std::vector<lanes::Complex> result(places() * wheels_m_.size());
     const Phase& any = phases_.front();
     const track::SupportLaw law(any.moved.track.pads, any.moved.track.support, omega);
-    const track::BlochWaves waves = track::bloch_waves(any.moved.track, any.equilibria.front().unloaded_dynamic_stiffness_n_per_m, omega, law);
+    const track::BlochWaves waves =
+        track::bloch_waves(any.moved.track, any.equilibria.front().unloaded_dynamic_stiffness_n_per_m, omega, law);
     const bool apart = track::apart(waves);
     track::ScatterRow memory;
     for (std::size_t b = 0; b < phases_.size(); ++b) {

@@ -8,14 +8,15 @@
 
 namespace railpem::pem {
 
-/// What the wheels feel of the track at rest at each place: Σ_j C_ij, the deflection under wheel i by unit forces at all of
-/// them. Everything that does not depend on the frequency, the static equilibria included, is computed once.
+/// What the wheels feel of the track at rest at each place: Σ_j C_ij, the deflection under wheel i by unit forces at
+/// all of them. Everything that does not depend on the frequency, the static equilibria included, is computed once.
 class PassingPositions {
   public:
-    /// Places (b, s): wheel 1 stands the share bay_shares[b] of a bay (≥ 0, < 1) ahead of seat 0, and the regularly failed seats are counted
-    /// from first_seats[s]. Random failures are left out; without a table of failed fasteners every s is the same.
-    PassingPositions(const CaseParameters& parameters, const std::vector<double>& wheels_m, const std::vector<double>& bay_shares,
-                     const std::vector<int>& first_seats);
+    /// Places (b, s): wheel 1 stands the share bay_shares[b] of a bay (≥ 0, < 1) ahead of seat 0, and the regularly
+    /// failed seats are counted from first_seats[s]. Random failures are left out; without a table of failed fasteners
+    /// every s is the same.
+    PassingPositions(const CaseParameters& parameters, const std::vector<double>& wheels_m,
+                     const std::vector<double>& bay_shares, const std::vector<int>& first_seats);
 
     std::size_t places() const { return phases_.size() * rows_; }
     std::size_t place(std::size_t bay_share, std::size_t first_seat) const { return bay_share * rows_ + first_seat; }
@@ -30,7 +31,8 @@ class PassingPositions {
         std::vector<std::vector<track::Seat>> rows;
         std::optional<track::PlacedPoints> placed;
     };
-    void by_waves(const Phase& phase, const track::BlochWaves& waves, const track::SupportLaw& law, track::ScatterRow& memory, lanes::Complex* result) const;
+    void by_waves(const Phase& phase, const track::BlochWaves& waves, const track::SupportLaw& law,
+                  track::ScatterRow& memory, lanes::Complex* result) const;
     void directly(const Phase& phase, lanes::Real omega, lanes::Complex* result) const;
 
     std::vector<double> wheels_m_;

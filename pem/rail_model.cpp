@@ -21,7 +21,8 @@ struct PreparedRail {
     std::optional<track::ScatteredRail> scattered;
 };
 
-/// Receptances of one position of the wheels after the other, and their mean. The uniform track is the same for all of them.
+/// Receptances of one position of the wheels after the other, and their mean. The uniform track is the same for all of
+/// them.
 class ExactEvaluator : public RailEvaluator {
   public:
     explicit ExactEvaluator(const std::vector<PreparedRail>& rails) : rails_(rails), elimination_(rails.size()) {
@@ -64,7 +65,8 @@ class ExactEvaluator : public RailEvaluator {
         const PreparedRail& rail = rails_[i];
         if (rail.scattered) {
             if (!waves_) waves_.emplace(rail.exact, omega);
-            if (track::scattered_receptance(*rail.scattered, waves_->waves, waves_->law, rail.exact.uniform_pad_stiffness_n_per_m, seats_, scattered_))
+            if (track::scattered_receptance(*rail.scattered, waves_->waves, waves_->law,
+                                            rail.exact.uniform_pad_stiffness_n_per_m, seats_, scattered_))
                 return scattered_;
         }
         if (!elimination_[i]) elimination_[i].emplace(rail.exact);
@@ -96,7 +98,8 @@ class ExactModel : public RailModel {
 /// The design's rail, line by line through a dense solve.
 class ModalEvaluator : public RailEvaluator {
   public:
-    ModalEvaluator(const track::ModalRail& rail, const track::TrackParameters& track, const track::StaticEquilibrium& equilibrium)
+    ModalEvaluator(const track::ModalRail& rail, const track::TrackParameters& track,
+                   const track::StaticEquilibrium& equilibrium)
         : rail_(rail), track_(track), equilibrium_(equilibrium) {}
 
     const track::RailReceptance& at(lanes::Real omega) override {
@@ -107,11 +110,14 @@ class ModalEvaluator : public RailEvaluator {
         track::ModalReceptance modal;
         for (int lane = 0; lane < lanes::width; ++lane) {
             const double frequency = omega[lane] / (2.0 * std::numbers::pi);
-            if (frequency != previous) modal = track::modal_receptance(rail_, frequency, track::seat_stiffness(track_, equilibrium_, frequency));
+            if (frequency != previous)
+                modal =
+                    track::modal_receptance(rail_, frequency, track::seat_stiffness(track_, equilibrium_, frequency));
             previous = frequency;  // the last group repeats its last line
             for (std::size_t i = 0; i < points; ++i) {
                 for (std::size_t j = 0; j < points; ++j)
-                    result_.between[i * points + j].set(lane, modal.at_points(static_cast<long>(i), static_cast<long>(j)));
+                    result_.between[i * points + j].set(lane,
+                                                        modal.at_points(static_cast<long>(i), static_cast<long>(j)));
                 result_.trackbed[i].set(lane, modal.trackbed(static_cast<long>(i)));
             }
         }
@@ -127,11 +133,14 @@ class ModalEvaluator : public RailEvaluator {
 
 class ModalModel : public RailModel {
   public:
-    ModalModel(const track::TrackParameters& track, const std::vector<double>& points, int modes, track::StaticEquilibrium equilibrium)
+    ModalModel(const track::TrackParameters& track, const std::vector<double>& points, int modes,
+               track::StaticEquilibrium equilibrium)
         : track_(track),
           equilibrium_(std::move(equilibrium)),
           rail_(track::modal_rail(track_, equilibrium_.position_m, points, modes)) {}
-    std::unique_ptr<RailEvaluator> evaluator() const override { return std::make_unique<ModalEvaluator>(rail_, track_, equilibrium_); }
+    std::unique_ptr<RailEvaluator> evaluator() const override {
+        return std::make_unique<ModalEvaluator>(rail_, track_, equilibrium_);
+    }
 
   private:
     track::TrackParameters track_;
@@ -142,7 +151,8 @@ class ModalModel : public RailModel {
 }  // namespace
 
 std::vector<double> case_pads(const CaseParameters& parameters, const std::vector<double>& wheels) {
-    return track::pad_positions(parameters.track, wheels, parameters.solver.rail == RailSolution::modal ? parameters.solver.pads : 0);
+    return track::pad_positions(parameters.track, wheels,
+                                parameters.solver.rail == RailSolution::modal ? parameters.solver.pads : 0);
 }
 
 track::StaticEquilibrium case_equilibrium(const CaseParameters& parameters) {
@@ -157,23 +167,32 @@ track::StaticEquilibrium dynamic_equilibrium(const CaseParameters& parameters, c
     return track::static_equilibrium(parameters.track, wheels, wheel_load_n(parameters), pads, start);
 }
 
-std::vector<track::StaticEquilibrium> dynamic_equilibria(const CaseParameters& parameters, const std::vector<int>& first_seats,
+std::vector<track::StaticEquilibrium> dynamic_equilibria(const CaseParameters& parameters,
+                                                         const std::vector<int>& first_seats,
                                                          const std::vector<track::StaticEquilibrium>& start) {
     const bool alike = parameters.track.failed_fasteners.empty() || parameters.track.pads.preload_strength == 0.0;
-    if (alike) return std::vector(first_seats.size(), dynamic_equilibrium(parameters, start.empty() ? nullptr : &start.front()));
+    if (alike)
+        return std::vector(first_seats.size(),
+                           dynamic_equilibrium(parameters, start.empty() ? nullptr : &start.front()));
     const std::vector<double> wheels = vehicle::wheel_positions(parameters.vehicle);
-    return track::equilibria_abreast(parameters.track, wheels, wheel_load_n(parameters), case_pads(parameters, wheels), first_seats, start);
+    return track::equilibria_abreast(parameters.track, wheels, wheel_load_n(parameters), case_pads(parameters, wheels),
+                                     first_seats, start);
 }
 
-std::unique_ptr<RailModel> exact_rails(std::vector<track::ExactRail> rails) { return std::make_unique<ExactModel>(std::move(rails)); }
+std::unique_ptr<RailModel> exact_rails(std::vector<track::ExactRail> rails) {
+    return std::make_unique<ExactModel>(std::move(rails));
+}
 
 std::unique_ptr<RailModel> rail_model(const CaseParameters& parameters, const std::vector<double>& wheels_m,
                                       const track::StaticEquilibrium& equilibrium, double speed_m_per_s) {
-    const bool exact = parameters.solver.rail == RailSolution::exact, rolls = parameters.solver.moving && speed_m_per_s > 0.0;
+    const bool exact = parameters.solver.rail == RailSolution::exact,
+               rolls = parameters.solver.moving && speed_m_per_s > 0.0;
     if (exact && rolls) return rolling_rail(parameters, wheels_m, speed_m_per_s);
     std::unique_ptr<RailModel> standing;
-    if (exact) standing = exact_rails({track::exact_rail(parameters.track, wheels_m, equilibrium)});
-    else standing = std::make_unique<ModalModel>(parameters.track, wheels_m, parameters.solver.modes, equilibrium);
+    if (exact)
+        standing = exact_rails({track::exact_rail(parameters.track, wheels_m, equilibrium)});
+    else
+        standing = std::make_unique<ModalModel>(parameters.track, wheels_m, parameters.solver.modes, equilibrium);
     return rolls ? rolling_rail(parameters, wheels_m, speed_m_per_s, std::move(standing)) : std::move(standing);
 }
 

@@ -12,9 +12,11 @@ namespace railpem::pem {
 class RailEvaluator {
   public:
     virtual ~RailEvaluator() = default;
-    /// Receptances between the wheels and the sum of the pad forces, for ω in rad/s; in motion those from front to rear are not those from rear to front. Valid until the next call.
+    /// Receptances between the wheels and the sum of the pad forces, for ω in rad/s; in motion those from front to rear
+    /// are not those from rear to front. Valid until the next call.
     virtual const track::RailReceptance& at(lanes::Real omega) = 0;
-    /// The receptances between the wheels at one of the places that at() is the mean of, one after the other from place 0 on. Valid until the next call.
+    /// The receptances between the wheels at one of the places that at() is the mean of, one after the other from place
+    /// 0 on. Valid until the next call.
     virtual const track::RailReceptance& at_place(int, lanes::Real omega) { return at(omega); }
 };
 
@@ -43,12 +45,13 @@ class RailModel {
     virtual const RailModel* beside_equal_seats() const { return nullptr; }
     /// Where beside_equal_seats() stands, if that is periodic in more than a bay.
     virtual const SeatPlaces* seat_places() const { return nullptr; }
-    /// What every pad goes through while constant loads roll past, where the rail had to know it: load stiffens the pads, all fasteners are sound.
+    /// What every pad goes through while constant loads roll past, where the rail had to know it: load stiffens the
+    /// pads, all fasteners are sound.
     virtual const track::PadHistory* constant_loads() const { return nullptr; }
 };
 
-/// The rail that the case asks for (solver.rail), on the pads of the static equilibrium; with solver.moving under wheels that roll (rolling_rail.hpp), the exact one on the pads as
-/// they press them.
+/// The rail that the case asks for (solver.rail), on the pads of the static equilibrium; with solver.moving under
+/// wheels that roll (rolling_rail.hpp), the exact one on the pads as they press them.
 std::unique_ptr<RailModel> rail_model(const CaseParameters& parameters, const std::vector<double>& wheels_m,
                                       const track::StaticEquilibrium& equilibrium, double speed_m_per_s = 0.0);
 
@@ -61,12 +64,15 @@ std::vector<double> case_pads(const CaseParameters& parameters, const std::vecto
 /// Static equilibrium of the case: the same pads, the same rail, the same wheel positions as in its dynamics.
 track::StaticEquilibrium case_equilibrium(const CaseParameters& parameters);
 
-/// As far as the dynamics of the rail need it, which is less when the pads do not stiffen under load; `start`: that of a similar
-/// case, to begin from.
-track::StaticEquilibrium dynamic_equilibrium(const CaseParameters& parameters, const track::StaticEquilibrium* start = nullptr);
+/// As far as the dynamics of the rail need it, which is less when the pads do not stiffen under load; `start`: that of
+/// a similar case, to begin from.
+track::StaticEquilibrium dynamic_equilibrium(const CaseParameters& parameters,
+                                             const track::StaticEquilibrium* start = nullptr);
 
-/// The same with the regularly failed seats counted from each of `first_seats` in turn; `start`: as many similar ones, or none.
-std::vector<track::StaticEquilibrium> dynamic_equilibria(const CaseParameters& parameters, const std::vector<int>& first_seats,
+/// The same with the regularly failed seats counted from each of `first_seats` in turn; `start`: as many similar ones,
+/// or none.
+std::vector<track::StaticEquilibrium> dynamic_equilibria(const CaseParameters& parameters,
+                                                         const std::vector<int>& first_seats,
                                                          const std::vector<track::StaticEquilibrium>& start = {});
 
 }  // namespace railpem::pem

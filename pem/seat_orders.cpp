@@ -35,10 +35,14 @@ SeatPlaceReceptances seat_place_receptances(const RailModel& model, double to_hz
     for (std::size_t first = 0; first < result.at.size(); first += lanes::width) {
         lanes::Real omega;
         for (int lane = 0; lane < lanes::width; ++lane)
-            omega[lane] = kTwoPi * std::max(kAtRest_hz, static_cast<double>(std::min(first + static_cast<std::size_t>(lane), result.at.size() - 1)) * SeatPlaceReceptances::kStep_hz);
+            omega[lane] =
+                kTwoPi * std::max(kAtRest_hz, static_cast<double>(std::min(first + static_cast<std::size_t>(lane),
+                                                                           result.at.size() - 1)) *
+                                                  SeatPlaceReceptances::kStep_hz);
         for (int place = 0; place < seats.places(); ++place) {
             const track::RailReceptance& own = evaluator->at_place(place, omega);
-            for (int lane = 0; lane < lanes::width && first + static_cast<std::size_t>(lane) < result.at.size(); ++lane) {
+            for (int lane = 0; lane < lanes::width && first + static_cast<std::size_t>(lane) < result.at.size();
+                 ++lane) {
                 WheelPairs& pairs = result.at[first + static_cast<std::size_t>(lane)].emplace_back();
                 for (std::size_t pair = 0; pair < 16; ++pair) pairs[pair] = own.between[pair][lane];
             }
@@ -59,7 +63,10 @@ SeatOrders seat_orders(const SeatPlaceReceptances& receptances) {
     for (std::size_t order = 0; order < orders; ++order)
         for (std::size_t k = 0; k < places; ++k) {
             const double m = static_cast<double>(order) - result.highest;
-            turns(static_cast<long>(k), static_cast<long>(order)) = std::polar(share, -kTwoPi * m * (receptances.places.first_bay / receptances.places.period_bays + static_cast<double>(k) * share));
+            turns(static_cast<long>(k), static_cast<long>(order)) = std::polar(
+                share,
+                -kTwoPi * m *
+                    (receptances.places.first_bay / receptances.places.period_bays + static_cast<double>(k) * share));
         }
     result.at.assign(receptances.at.size(), std::vector<WheelPairs>(orders));
     using Pairs = Eigen::Matrix<Phasor, 16, Eigen::Dynamic>;

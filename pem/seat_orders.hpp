@@ -21,9 +21,10 @@ struct SeatPlaceReceptances {
 /// Up to `to_hz`. Nothing where model.seat_places() is nothing.
 SeatPlaceReceptances seat_place_receptances(const RailModel& model, double to_hz);
 
-/// Fourier coefficients over the period of something that every place has, x the place of wheel 1: C(x) = Σ_m C_m·e^{2πimx/(n·spacing)}; on the lines of SeatPlaceReceptances.
+/// Fourier coefficients over the period of something that every place has, x the place of wheel 1: C(x) = Σ_m
+/// C_m·e^{2πimx/(n·spacing)}; on the lines of SeatPlaceReceptances.
 struct SeatOrders {
-    int highest = 0;  ///< orders −highest to highest; 0: no seats differ
+    int highest = 0;                          ///< orders −highest to highest; 0: no seats differ
     std::vector<std::vector<WheelPairs>> at;  ///< [line][m + highest]
 
     bool has(int order) const { return order != 0 && order <= highest && -order <= highest; }

@@ -11,8 +11,11 @@ namespace {
 
 using Phasor = std::complex<double>;
 
-/// Two-sided cross-spectra of the response under every two wheels, i ≤ j, as each meets the track: the delays between them taken off. At k·kSquareStep_hz, k = 0 (nothing) on.
-std::array<std::vector<Phasor>, kPairs> spectra_of_pairs(const SquareTransfers& transfers, const std::vector<DelayedSpectrum>& broadband, const std::vector<double>& wheels_m, double speed) {
+/// Two-sided cross-spectra of the response under every two wheels, i ≤ j, as each meets the track: the delays between
+/// them taken off. At k·kSquareStep_hz, k = 0 (nothing) on.
+std::array<std::vector<Phasor>, kPairs> spectra_of_pairs(const SquareTransfers& transfers,
+                                                         const std::vector<DelayedSpectrum>& broadband,
+                                                         const std::vector<double>& wheels_m, double speed) {
     std::array<std::vector<Phasor>, kPairs> pairs;
     for (auto& own : pairs) own.assign(transfers.size() + 1, 0.0);
     for (std::size_t line = 0; line < transfers.size(); ++line) {
@@ -36,10 +39,12 @@ std::array<std::vector<Phasor>, kPairs> spectra_of_pairs(const SquareTransfers& 
 
 }  // namespace
 
-PairCorrelations pair_correlations(const SquareTransfers& transfers, const std::vector<DelayedSpectrum>& broadband, const std::vector<double>& wheels_m, double speed, int highest) {
+PairCorrelations pair_correlations(const SquareTransfers& transfers, const std::vector<DelayedSpectrum>& broadband,
+                                   const std::vector<double>& wheels_m, double speed, int highest) {
     const auto pairs = spectra_of_pairs(transfers, broadband, wheels_m, speed);
     std::size_t size = 64;
-    while (size < static_cast<std::size_t>(highest + 2) * (transfers.size() + 1)) size *= 2;  // the band of the highest power, and ours beside it: nothing wraps around
+    // the band of the highest power, and ours beside it: nothing wraps around
+    while (size < static_cast<std::size_t>(highest + 2) * (transfers.size() + 1)) size *= 2;
     Eigen::FFT<double> transform;
     transform.SetFlag(Eigen::FFT<double>::HalfSpectrum);
     PairCorrelations result{.lines = transfers.size(), .at = {}};
@@ -64,7 +69,8 @@ std::vector<std::vector<double>> contrasts_of_powers(const PairCorrelations& cor
             for (std::size_t t = 0; t < size; ++t) {
                 double own = 1.0;
                 for (int n = 0; n < power; ++n) own *= correlations.at[pair][t] / scale;
-                for (std::size_t c = 0; c < sums.size(); ++c) sums[c][t] += kContrasts[c][i] * kContrasts[c][j] / 16.0 * (i == j ? 1.0 : 2.0) * own;
+                for (std::size_t c = 0; c < sums.size(); ++c)
+                    sums[c][t] += kContrasts[c][i] * kContrasts[c][j] / 16.0 * (i == j ? 1.0 : 2.0) * own;
             }
         }
     std::vector<std::vector<double>> result;
@@ -72,14 +78,18 @@ std::vector<std::vector<double>> contrasts_of_powers(const PairCorrelations& cor
         std::vector<Phasor> half;
         transform.fwd(half, sum);
         std::vector<double> psd{0.0};  // twice the two-sided one
-        for (std::size_t k = 1; k <= correlations.lines; ++k) psd.push_back(std::max(0.0, half[k].real()) * 2.0 / (static_cast<double>(size) * kSquareStep_hz));
+        for (std::size_t k = 1; k <= correlations.lines; ++k)
+            psd.push_back(std::max(0.0, half[k].real()) * 2.0 / (static_cast<double>(size) * kSquareStep_hz));
         result.push_back(std::move(psd));
     }
     return result;
 }
 
-std::vector<std::vector<double>> contrasts_of_squares(const SquareTransfers& transfers, const std::vector<DelayedSpectrum>& broadband, const std::vector<double>& wheels_m, double speed) {
-    std::vector<std::vector<double>> result = contrasts_of_powers(pair_correlations(transfers, broadband, wheels_m, speed, 2), 2, 1.0);
+std::vector<std::vector<double>> contrasts_of_squares(const SquareTransfers& transfers,
+                                                      const std::vector<DelayedSpectrum>& broadband,
+                                                      const std::vector<double>& wheels_m, double speed) {
+    std::vector<std::vector<double>> result =
+        contrasts_of_powers(pair_correlations(transfers, broadband, wheels_m, speed, 2), 2, 1.0);
     for (std::vector<double>& psd : result)
         for (double& own : psd) own *= 2.0;
     return result;

@@ -21,10 +21,11 @@ namespace railpem::pem {
 const std::vector<ResponseName>& response_names() {
     static const std::vector<ResponseName> names = [] {
         std::vector<ResponseName> list;
-        for (const char* where : {"body", "body_front", "body_rear", "bogie_1", "bogie_2", "wheel_1", "wheel_2", "wheel_3", "wheel_4",
-                                  "rail_1", "rail_2", "rail_3", "rail_4"})
+        for (const char* where : {"body", "body_front", "body_rear", "bogie_1", "bogie_2", "wheel_1", "wheel_2",
+                                  "wheel_3", "wheel_4", "rail_1", "rail_2", "rail_3", "rail_4"})
             list.push_back({where, Quantity::acceleration});
-        for (const char* where : {"contact_1", "contact_2", "contact_3", "contact_4", "trackbed"}) list.push_back({where, Quantity::force});
+        for (const char* where : {"contact_1", "contact_2", "contact_3", "contact_4", "trackbed"})
+            list.push_back({where, Quantity::force});
         return list;
     }();
     return names;
@@ -40,7 +41,8 @@ std::size_t response_index(const std::string& where) {
 
 std::vector<double> frequency_lines(const FrequencyParameters& grid) {
     // A step that divides the range up to rounding reaches the end of it.
-    const std::size_t steps = static_cast<std::size_t>(std::floor((grid.to_hz - grid.from_hz) / grid.step_hz * (1.0 + 1e-12) + 1e-9));
+    const std::size_t steps =
+        static_cast<std::size_t>(std::floor((grid.to_hz - grid.from_hz) / grid.step_hz * (1.0 + 1e-12) + 1e-9));
     std::vector<double> lines(steps + 1);
     for (std::size_t i = 0; i <= steps; ++i) lines[i] = grid.from_hz + static_cast<double>(i) * grid.step_hz;
     return lines;
@@ -56,7 +58,8 @@ bool is_zero(const WheelVector& irregularity) {
 }
 
 /// Pseudo-responses of one group of lines for every source.
-void store_group(const GroupSolution& group, const std::vector<Source>& sources, double step_hz, std::size_t first_line, Solution& solution) {
+void store_group(const GroupSolution& group, const std::vector<Source>& sources, double step_hz, std::size_t first_line,
+                 Solution& solution) {
     const std::size_t lines = solution.frequency_hz.size();
     const std::size_t count = std::min<std::size_t>(lanes::width, lines - first_line);
     const std::size_t responses_count = response_names().size();
@@ -67,7 +70,8 @@ void store_group(const GroupSolution& group, const std::vector<Source>& sources,
         if (is_zero(irregularity)) continue;  // between spectral lines; the rows are zero already
         responses(group, irregularity, response.data());
         for (std::size_t r = 0; r < responses_count; ++r) {
-            std::complex<double>* row = solution.pseudo_response.data() + (s * responses_count + r) * lines + first_line;
+            std::complex<double>* row =
+                solution.pseudo_response.data() + (s * responses_count + r) * lines + first_line;
             for (std::size_t lane = 0; lane < count; ++lane) row[lane] = response[r][static_cast<int>(lane)];
         }
     }
@@ -80,9 +84,11 @@ void warn_of_linearisation(Solution& solution) {
     const Linearisation& l = solution.linearisation;
     const double open = *std::max_element(l.loss_of_contact_probability.begin(), l.loss_of_contact_probability.end());
     if (open > kDoubtfulLoss)
-        solution.warnings.push_back(fmt::format("a wheel loses contact in {:.1f} % of the time; the linearised contact is not reliable", 100.0 * open));
+        solution.warnings.push_back(fmt::format(
+            "a wheel loses contact in {:.1f} % of the time; the linearised contact is not reliable", 100.0 * open));
     if (l.change > 1e-6)
-        solution.warnings.push_back(fmt::format("the linearisation still changes by {:.1e} after {} iterations", l.change, l.iterations));
+        solution.warnings.push_back(
+            fmt::format("the linearisation still changes by {:.1e} after {} iterations", l.change, l.iterations));
 }
 
 }  // namespace
@@ -95,7 +101,8 @@ Solution solve_case(const CaseParameters& parameters, double speed_m_per_s, cons
     solution.speed_m_per_s = speed_m_per_s;
     solution.frequency_hz = frequency_lines(parameters.frequency);
     solution.warnings = model.warnings;
-    for (std::string& warning : spectra::validity_warnings(parameters.irregularity)) solution.warnings.push_back(std::move(warning));
+    for (std::string& warning : spectra::validity_warnings(parameters.irregularity))
+        solution.warnings.push_back(std::move(warning));
     warn_of_linearisation(solution);
     for (const Source& source : sources) solution.source_names.push_back(source.name);
     const std::size_t lines = solution.frequency_hz.size();

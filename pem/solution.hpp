@@ -29,10 +29,10 @@ std::size_t response_index(const std::string& where);
 struct Solution {
     double speed_m_per_s = 0.0;
     std::vector<double> frequency_hz;
-    std::vector<std::string> source_names;  ///< "irregularity", "wheel_1", …
+    std::vector<std::string> source_names;              ///< "irregularity", "wheel_1", …
     std::vector<std::complex<double>> pseudo_response;  ///< [source][response][line]
-    std::vector<std::string> warnings;      ///< validity of what was computed, in words
-    Linearisation linearisation;            ///< of friction and contact; all zero for a linear case
+    std::vector<std::string> warnings;                  ///< validity of what was computed, in words
+    Linearisation linearisation;                        ///< of friction and contact; all zero for a linear case
 
     const std::complex<double>* at(std::size_t source, std::size_t response) const {
         return pseudo_response.data() + (source * response_names().size() + response) * frequency_hz.size();

@@ -21,9 +21,12 @@ std::uint64_t mix(std::uint64_t x) {
     return x ^ (x >> 31);
 }
 
-double unit_interval(std::uint64_t key, std::uint64_t counter) { return static_cast<double>(mix(mix(key) ^ counter) >> 11) * 0x1p-53; }
+double unit_interval(std::uint64_t key, std::uint64_t counter) {
+    return static_cast<double>(mix(mix(key) ^ counter) >> 11) * 0x1p-53;
+}
 
-/// A keyed bijection of 0 … size − 1: a four-round Feistel network on the next even number of bits, walked until it lands inside.
+/// A keyed bijection of 0 … size − 1: a four-round Feistel network on the next even number of bits, walked until it
+/// lands inside.
 std::size_t permuted(std::size_t index, std::size_t size, std::uint64_t key) {
     int half = 1;
     while ((std::size_t{1} << (2 * half)) < size) ++half;
@@ -53,16 +56,22 @@ double hypercube_value(const SweepPlan& plan, std::size_t axis, std::size_t inde
 const char* quantity_unit(QuantityKind kind, Quantity quantity) {
     const bool force = quantity == Quantity::force;
     switch (kind) {
-        case QuantityKind::rms: return force ? "rms_n" : "rms_m_per_s2";
-        case QuantityKind::peak_level: return force ? "peak_level_n2_per_hz" : "peak_level_m2_per_s4_per_hz";
-        case QuantityKind::peak_frequency: return "peak_frequency_hz";
-        case QuantityKind::bands: return force ? "level_db_re_1_n" : "level_db";
-        case QuantityKind::spectrum: return force ? "psd_n2_per_hz" : "psd_m2_per_s4_per_hz";
+        case QuantityKind::rms:
+            return force ? "rms_n" : "rms_m_per_s2";
+        case QuantityKind::peak_level:
+            return force ? "peak_level_n2_per_hz" : "peak_level_m2_per_s4_per_hz";
+        case QuantityKind::peak_frequency:
+            return "peak_frequency_hz";
+        case QuantityKind::bands:
+            return force ? "level_db_re_1_n" : "level_db";
+        case QuantityKind::spectrum:
+            return force ? "psd_n2_per_hz" : "psd_m2_per_s4_per_hz";
     }
     return "";
 }
 
-void append_quantity(const SweepPlan& plan, const SweepQuantity& wanted, const Solution& solution, double step_hz, std::vector<double>& out) {
+void append_quantity(const SweepPlan& plan, const SweepQuantity& wanted, const Solution& solution, double step_hz,
+                     std::vector<double>& out) {
     const std::vector<double> psd = response_psd(solution, response_index(wanted.response));
     switch (wanted.kind) {
         case QuantityKind::rms: {
@@ -71,16 +80,22 @@ void append_quantity(const SweepPlan& plan, const SweepQuantity& wanted, const S
             out.push_back(std::sqrt(sum * step_hz));
             break;
         }
-        case QuantityKind::peak_level: out.push_back(*std::max_element(psd.begin(), psd.end())); break;
+        case QuantityKind::peak_level:
+            out.push_back(*std::max_element(psd.begin(), psd.end()));
+            break;
         case QuantityKind::peak_frequency:
-            out.push_back(solution.frequency_hz[static_cast<std::size_t>(std::max_element(psd.begin(), psd.end()) - psd.begin())]);
+            out.push_back(
+                solution
+                    .frequency_hz[static_cast<std::size_t>(std::max_element(psd.begin(), psd.end()) - psd.begin())]);
             break;
         case QuantityKind::bands: {
             const std::vector<double> levels = plan.bands.levels(solution.frequency_hz, psd);
             out.insert(out.end(), levels.begin(), levels.end());
             break;
         }
-        case QuantityKind::spectrum: out.insert(out.end(), psd.begin(), psd.end()); break;
+        case QuantityKind::spectrum:
+            out.insert(out.end(), psd.begin(), psd.end());
+            break;
     }
 }
 
@@ -89,7 +104,8 @@ std::vector<double> evaluate(const SweepPlan& plan, std::size_t index, int threa
     std::vector<double> values;
     for (const double speed : parameters.running.speeds_m_per_s) {
         const Solution solution = solve_case(parameters, speed, {.threads = threads});
-        for (const SweepQuantity& quantity : plan.quantities) append_quantity(plan, quantity, solution, parameters.frequency.step_hz, values);
+        for (const SweepQuantity& quantity : plan.quantities)
+            append_quantity(plan, quantity, solution, parameters.frequency.step_hz, values);
     }
     return values;
 }
@@ -110,8 +126,12 @@ std::vector<double> sweep_values(const SweepPlan& plan, std::size_t index) {
     for (std::size_t axis = plan.axes.size(); axis-- > 0;) {
         const std::vector<double>& choices = plan.axes[axis].values;
         switch (plan.design) {
-            case Design::latin_hypercube: values[axis] = hypercube_value(plan, axis, index); break;
-            case Design::list: values[axis] = choices[index]; break;
+            case Design::latin_hypercube:
+                values[axis] = hypercube_value(plan, axis, index);
+                break;
+            case Design::list:
+                values[axis] = choices[index];
+                break;
             case Design::grid:
                 values[axis] = choices[index % choices.size()];
                 index /= choices.size();
@@ -136,7 +156,8 @@ std::vector<SweepRow> sweep_rows(const SweepPlan& plan) {
             const ResponseName& name = response_names()[response_index(wanted.response)];
             const std::string quantity = quantity_unit(wanted.kind, name.quantity);
             if (wanted.kind == QuantityKind::bands)
-                for (const double centre : plan.bands.centre_hz) rows.push_back({speed, quantity, wanted.response, centre});
+                for (const double centre : plan.bands.centre_hz)
+                    rows.push_back({speed, quantity, wanted.response, centre});
             else if (wanted.kind == QuantityKind::spectrum)
                 for (const double line : lines) rows.push_back({speed, quantity, wanted.response, line});
             else

@@ -14,7 +14,9 @@ namespace railpem::pem {
 namespace {
 
 /// K0 of a pad far from every wheel: with a preload-dependent law that of the unloaded track.
-double unloaded_pad_stiffness(const CaseParameters& parameters) { return case_equilibrium(parameters).unloaded_dynamic_stiffness_n_per_m; }
+double unloaded_pad_stiffness(const CaseParameters& parameters) {
+    return case_equilibrium(parameters).unloaded_dynamic_stiffness_n_per_m;
+}
 
 }  // namespace
 
@@ -25,7 +27,8 @@ std::vector<double> geometric_lines(double from_hz, double to_hz, int lines) {
     return frequencies;
 }
 
-TrackResponse track_response(const CaseParameters& parameters, const std::vector<double>& frequency_hz, bool with_decay, int threads) {
+TrackResponse track_response(const CaseParameters& parameters, const std::vector<double>& frequency_hz, bool with_decay,
+                             int threads) {
     const double spacing = parameters.track.spacing_m;
     const double stiffness = unloaded_pad_stiffness(parameters);
     // The force stands in the middle of bay 0; for decay rates the responses of EN 15461 go with it.
@@ -54,28 +57,33 @@ TrackResponse track_response(const CaseParameters& parameters, const std::vector
             along.emplace(rail);
         });
 #pragma omp for schedule(dynamic, 4)
-        for (std::size_t group = 0; group < groups; ++group) failure.guard([&] {
-            const lanes::Real omega = group_omega(frequency_hz, group);
-            const lanes::Complex pad = track::rail_receptance(pad_rail, omega, *over_pad).at(0, 0);
-            const track::RailReceptance& bay = track::rail_receptance(rail, omega, *along);
-            const track::HalfTrack half = track::uniform_half_track(rail, omega);
-            for (std::size_t lane = 0; lane < lanes::width && group * lanes::width + lane < lines; ++lane) {
-                const std::size_t line = group * lanes::width + lane;
-                const int l = static_cast<int>(lane);
-                response.over_pad[line] = pad[l];
-                response.mid_bay[line] = bay.at(0, 0)[l];
-                response.bloch_decay_db_per_m[line] = track::bloch_decay_rate_db_per_m(half.factor_1[l], half.factor_2[l], spacing);
-                if (!with_decay) continue;
-                const double omega4 = std::pow(kTwoPi * frequency_hz[line], 4);
-                for (std::size_t n = 0; n < points.size(); ++n) response.squared_transfer[line].push_back(omega4 * std::norm(bay.at(static_cast<int>(n), 0)[l]));
-            }
-        });
+        for (std::size_t group = 0; group < groups; ++group)
+            failure.guard([&] {
+                const lanes::Real omega = group_omega(frequency_hz, group);
+                const lanes::Complex pad = track::rail_receptance(pad_rail, omega, *over_pad).at(0, 0);
+                const track::RailReceptance& bay = track::rail_receptance(rail, omega, *along);
+                const track::HalfTrack half = track::uniform_half_track(rail, omega);
+                for (std::size_t lane = 0; lane < lanes::width && group * lanes::width + lane < lines; ++lane) {
+                    const std::size_t line = group * lanes::width + lane;
+                    const int l = static_cast<int>(lane);
+                    response.over_pad[line] = pad[l];
+                    response.mid_bay[line] = bay.at(0, 0)[l];
+                    response.bloch_decay_db_per_m[line] =
+                        track::bloch_decay_rate_db_per_m(half.factor_1[l], half.factor_2[l], spacing);
+                    if (!with_decay) continue;
+                    const double omega4 = std::pow(kTwoPi * frequency_hz[line], 4);
+                    for (std::size_t n = 0; n < points.size(); ++n)
+                        response.squared_transfer[line].push_back(omega4 *
+                                                                  std::norm(bay.at(static_cast<int>(n), 0)[l]));
+                }
+            });
     }
     failure.rethrow();
     return response;
 }
 
-std::vector<DecayBand> decay_bands(const TrackResponse& response, const std::vector<double>& centres_hz, double spacing_m) {
+std::vector<DecayBand> decay_bands(const TrackResponse& response, const std::vector<double>& centres_hz,
+                                   double spacing_m) {
     const std::vector<double> positions = track::decay_rate_positions_m(spacing_m);
     std::vector<DecayBand> bands;
     for (const double centre : centres_hz) {

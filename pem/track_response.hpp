@@ -27,10 +27,13 @@ struct DecayBand {
 /// `lines` frequencies from `from_hz` to `to_hz` in geometric progression.
 std::vector<double> geometric_lines(double from_hz, double to_hz, int lines);
 
-/// Infinite uniform track of unloaded pads at the given frequencies (> 0). `with_decay`: also the transfer functions of EN 15461.
-TrackResponse track_response(const CaseParameters& parameters, const std::vector<double>& frequency_hz, bool with_decay, int threads = 0);
+/// Infinite uniform track of unloaded pads at the given frequencies (> 0). `with_decay`: also the transfer functions of
+/// EN 15461.
+TrackResponse track_response(const CaseParameters& parameters, const std::vector<double>& frequency_hz, bool with_decay,
+                             int threads = 0);
 
 /// Decay rates of all third-octaves that hold at least three lines. `centres_hz` with band edges centre·10^(±1/20).
-std::vector<DecayBand> decay_bands(const TrackResponse& response, const std::vector<double>& centres_hz, double spacing_m);
+std::vector<DecayBand> decay_bands(const TrackResponse& response, const std::vector<double>& centres_hz,
+                                   double spacing_m);
 
 }  // namespace railpem::pem

@@ -1,5 +1,6 @@
 #pragma once
-// What the module holds, one function per part of it. Every function of the module takes the arguments of the verb of its name.
+// What the module holds, one function per part of it. Every function of the module takes the arguments of the verb of
+// its name.
 
 #include <pybind11/pybind11.h>
 

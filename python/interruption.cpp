@@ -26,6 +26,8 @@ void Interruption::check() {
     if (asked()) throw pem::Interrupted{};
 }
 
-void Interruption::raise() { std::rethrow_exception(raised_); }
+void Interruption::raise() {
+    std::rethrow_exception(raised_);
+}
 
 }  // namespace railpem::python

@@ -76,13 +76,19 @@ void set_averages(CrossSpectra& spectra) {
     const Channel* worst = nullptr;
     std::ptrdiff_t most = -1;
     for (const Channel& channel : series.channels) {
-        const std::ptrdiff_t missing = std::count_if(channel.samples.begin(), channel.samples.end(), [](double x) { return !std::isfinite(x); });
+        const std::ptrdiff_t missing =
+            std::count_if(channel.samples.begin(), channel.samples.end(), [](double x) { return !std::isfinite(x); });
         if (missing > most) most = missing, worst = &channel;
     }
     const bool dead = worst && most == static_cast<std::ptrdiff_t>(worst->samples.size());
-    throw parameters::ParameterError("window_s", dead ? fmt::format("{} holds no sample at all, so that no window of the record is complete", worst->description.name)
-                                                      : fmt::format("every window of the record holds a missing sample; {} misses most, {}", worst ? worst->description.name : "nothing", most),
-                                     dead ? "the description without this channel" : "a shorter window, a record with fewer gaps, or the description without this channel");
+    throw parameters::ParameterError(
+        "window_s",
+        dead ? fmt::format("{} holds no sample at all, so that no window of the record is complete",
+                           worst->description.name)
+             : fmt::format("every window of the record holds a missing sample; {} misses most, {}",
+                           worst ? worst->description.name : "nothing", most),
+        dead ? "the description without this channel"
+             : "a shorter window, a record with fewer gaps, or the description without this channel");
 }
 
 }  // namespace

@@ -47,8 +47,10 @@ std::string listed(const std::vector<std::string>& names) {
     if (names.empty()) return "nothing";
     std::vector<std::string> first(names.begin(), names.begin() + std::min(shown, names.size()));
     for (std::string& name : first)
-        if (name.empty()) name = "(a column without a name)";
-        else if (name.size() > 60) name = name.substr(0, 57) + "...";
+        if (name.empty())
+            name = "(a column without a name)";
+        else if (name.size() > 60)
+            name = name.substr(0, 57) + "...";
     const std::string words = fmt::format("{}", fmt::join(first, ", "));
     return names.size() > shown ? fmt::format("{} … ({} in all)", words, names.size()) : words;
 }

@@ -71,14 +71,17 @@ void add_channel(const checks::Evidence& evidence, std::size_t i, InspectionRepo
     report.channels.push_back(std::move(inspection));
 }
 
-/// Axle boxes or bogies of which no delay to another was found, though the recording has several: nothing was seen of their timing, order and polarity.
+/// Axle boxes or bogies of which no delay to another was found, though the recording has several: nothing was seen of
+/// their timing, order and polarity.
 std::vector<std::string> without_delay(const checks::Evidence& evidence, Location location) {
     std::vector<std::string> alone;
     std::size_t members = 0;
     for (std::size_t i = 0; i < evidence.series().channels.size(); ++i) {
         if (evidence.series().channels[i].description.location != location) continue;
         ++members;
-        if (std::none_of(evidence.delays.begin(), evidence.delays.end(), [&](const PairDelay& pair) { return pair.front == i || pair.rear == i; })) alone.push_back(evidence.name(i));
+        if (std::none_of(evidence.delays.begin(), evidence.delays.end(),
+                         [&](const PairDelay& pair) { return pair.front == i || pair.rear == i; }))
+            alone.push_back(evidence.name(i));
     }
     return members > 1 ? alone : std::vector<std::string>{};
 }
@@ -100,7 +103,10 @@ void add_not_checked(const checks::Evidence& evidence, InspectionReport& report)
     else
         for (const Location location : {Location::wheel, Location::bogie})
             if (const std::vector<std::string> alone = without_delay(evidence, location); !alone.empty())
-                report.not_checked.push_back(fmt::format("timing, order and polarity of {} by delays: none to another such channel was found; a longer record shows more", fmt::join(alone, ", ")));
+                report.not_checked.push_back(
+                    fmt::format("timing, order and polarity of {} by delays: none to another such channel was found; a "
+                                "longer record shows more",
+                                fmt::join(alone, ", ")));
     if (!evidence.spectra)
         report.not_checked.emplace_back("everything that needs a spectrum: there is no complete window of 2 s");
     std::vector<std::string> body;

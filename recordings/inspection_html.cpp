@@ -133,8 +133,7 @@ std::string to_html(const InspectionReport& report) {
     const std::string words = averages_words(report);
     out += "<footer><p>" + escaped(words) +
            (report.named_frequencies.empty() ? "" : " Dashed lines mark frequencies that have a name at this speed.") +
-           " Charts: Chart.js (MIT licence).</p></footer>\n" +
-           page_end(data, "pageCharts(pageData());\n");
+           " Charts: Chart.js (MIT licence).</p></footer>\n" + page_end(data, "pageCharts(pageData());\n");
     return out;
 }
 

@@ -39,8 +39,7 @@ Format format_of(const fs::path& file) {
 }
 
 fs::path data_path(const RecordingDescription& description, const fs::path& base) {
-    fs::path path =
-        fs::path(description.data).is_absolute() ? fs::path(description.data) : base / description.data;
+    fs::path path = fs::path(description.data).is_absolute() ? fs::path(description.data) : base / description.data;
     std::error_code ignored;
     if (!fs::exists(path, ignored))
         throw ReadError(path.string(), 0, "there is no such file", "a data file beside the description");

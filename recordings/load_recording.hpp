@@ -9,8 +9,9 @@
 namespace railpem::recordings {
 
 /// Reads the data file of a description (relative to `base`) into SI units. Nothing is removed or repaired: missing
-/// samples are NaN, the mean stays. A measured irregularity is read with it. What the kind of data cannot tell is listed in Recording::lacks. Throws
-/// parameters::ParameterError (the description is wrong) or ReadError (the data file is).
+/// samples are NaN, the mean stays. A measured irregularity is read with it. What the kind of data cannot tell is
+/// listed in Recording::lacks. Throws parameters::ParameterError (the description is wrong) or ReadError (the data file
+/// is).
 Recording load(const RecordingDescription& description, const std::filesystem::path& base,
                const ReadLimits& limits = {});
 

@@ -45,7 +45,8 @@ struct Options {
     double speed_fluctuation =
         0.0;  ///< relative standard deviation of a slow wander of the speed (periods of 15 to 80 s)
 
-    double noise_rms_m_per_s2 = 0.0;   ///< white noise of every channel from 0.5 Hz to half the sampling rate, beside that of the case's sensors
+    /// white noise of every channel from 0.5 Hz to half the sampling rate, beside that of the case's sensors
+    double noise_rms_m_per_s2 = 0.0;
 
     /// moving, and the case leaves the contact linear: Hertz, unless this is set.
     bool linear_contact = false;

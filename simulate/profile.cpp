@@ -47,25 +47,32 @@ void add_gaussian(Spectrum& amplitude, const spectra::IrregularityParameters& ir
     }
 }
 
-/// Raised-cosine dips at a regular distance, from one end of the line to the other; only where the periodic profile closes, beyond both ends, is one distance another.
-/// (Rounded to a whole number per period, 12 m were 12.01 m, and another distance at every speed.)
-void add_joints(Spectrum& amplitude, const spectra::RailJoints& joints, const ProfileRequest& request, double length, std::size_t points) {
+/// Raised-cosine dips at a regular distance, from one end of the line to the other; only where the periodic profile
+/// closes, beyond both ends, is one distance another. (Rounded to a whole number per period, 12 m were 12.01 m, and
+/// another distance at every speed.)
+void add_joints(Spectrum& amplitude, const spectra::RailJoints& joints, const ProfileRequest& request, double length,
+                std::size_t points) {
     const double step = length / static_cast<double>(points), half = 0.5 * joints.length_m;
     const double phase = uniform_at(derived_seed(request.seed, 71), 0) * joints.spacing_m;
     std::vector<double> height(points, 0.0);
     for (double order = std::ceil((request.from_m - phase) / joints.spacing_m);; ++order) {
         const double middle = phase + order * joints.spacing_m;
         if (middle >= request.from_m + length) break;
-        for (auto i = static_cast<std::ptrdiff_t>(std::ceil((middle - half) / step)); static_cast<double>(i) * step < middle + half; ++i) {
-            const auto wrapped = static_cast<std::size_t>((i % static_cast<std::ptrdiff_t>(points) + static_cast<std::ptrdiff_t>(points)) % static_cast<std::ptrdiff_t>(points));
-            height[wrapped] -= 0.5 * joints.depth_m * (1.0 + std::cos(pi * (static_cast<double>(i) * step - middle) / half));
+        for (auto i = static_cast<std::ptrdiff_t>(std::ceil((middle - half) / step));
+             static_cast<double>(i) * step < middle + half; ++i) {
+            const auto wrapped = static_cast<std::size_t>(
+                (i % static_cast<std::ptrdiff_t>(points) + static_cast<std::ptrdiff_t>(points)) %
+                static_cast<std::ptrdiff_t>(points));
+            height[wrapped] -=
+                0.5 * joints.depth_m * (1.0 + std::cos(pi * (static_cast<double>(i) * step - middle) / half));
         }
     }
     Eigen::FFT<double> transform;
     transform.SetFlag(Eigen::FFT<double>::HalfSpectrum);
     Spectrum own(amplitude.size());
     transform.fwd(own, height);
-    for (std::size_t k = 1; k + 1 < amplitude.size() && static_cast<double>(k) / length <= 1.0 / request.shortest_wavelength_m; ++k)
+    for (std::size_t k = 1;
+         k + 1 < amplitude.size() && static_cast<double>(k) / length <= 1.0 / request.shortest_wavelength_m; ++k)
         amplitude[k] += own[k] / static_cast<double>(points);
 }
 
@@ -111,7 +118,8 @@ Profile draw_profile(const spectra::IrregularityParameters& irregularity, const 
     const std::size_t points = power_of_two_above(points_per_wave * length / request.shortest_wavelength_m);
     Spectrum amplitude(points / 2 + 1);
     add_gaussian(amplitude, irregularity, request, length);
-    for (const spectra::RailJoints& joints : irregularity.joints) add_joints(amplitude, joints, request, length, points);
+    for (const spectra::RailJoints& joints : irregularity.joints)
+        add_joints(amplitude, joints, request, length, points);
     return synthesise(amplitude, length, points, request);
 }
 

@@ -84,13 +84,17 @@ std::vector<Channel> empty_channels(const pem::CaseParameters& parameters, std::
     return channels;
 }
 
-/// The marching step. The method damps by itself, 1.6e-4 of critical at 180 Hz with 0.2 ms and with the third power of the step: where the rail resonates on pads that hardly damp this is to be
-/// 1/2000 of the pads' own damping. With 0.2 ms and a loss factor of 0.08 the response next to the resonance was 0.6 % off (Modulation.PadsThatHardlyDamp).
+/// The marching step. The method damps by itself, 1.6e-4 of critical at 180 Hz with 0.2 ms and with the third power of
+/// the step: where the rail resonates on pads that hardly damp this is to be 1/2000 of the pads' own damping. With 0.2
+/// ms and a loss factor of 0.08 the response next to the resonance was 0.6 % off (Modulation.PadsThatHardlyDamp).
 double largest_step_s(const pem::CaseParameters& parameters, const Options& options) {
-    constexpr double kOmega = 2.0 * std::numbers::pi * 180.0, kOwnLoss = 3.2e-4, kAtStep_s = 0.2e-3, kShare = 1.0 / 2000.0;
+    constexpr double kOmega = 2.0 * std::numbers::pi * 180.0, kOwnLoss = 3.2e-4, kAtStep_s = 0.2e-3,
+                     kShare = 1.0 / 2000.0;
     const track::PadParameters& pads = parameters.track.pads;
-    const std::complex<double> pad = pad_modulus(pads)(kOmega / (2.0 * std::numbers::pi)) +
-                                     std::complex<double>(0.0, kOmega * pad_dashpot_n_s_per_m(pads) / (pads.dynamic_to_static_ratio * pads.static_stiffness_n_per_m));
+    const std::complex<double> pad =
+        pad_modulus(pads)(kOmega / (2.0 * std::numbers::pi)) +
+        std::complex<double>(
+            0.0, kOmega * pad_dashpot_n_s_per_m(pads) / (pads.dynamic_to_static_ratio * pads.static_stiffness_n_per_m));
     const double loss = std::max(0.0, pad.imag() / pad.real());
     constexpr double kLeast = 0.25;  // of the step: pads without any damping
     return std::min(options.largest_step_s, kAtStep_s * std::max(kLeast, std::cbrt(kShare * loss / kOwnLoss)));
@@ -192,7 +196,8 @@ Recording simulate(const pem::CaseParameters& parameters, const Options& options
     const auto began = std::chrono::steady_clock::now();
     const double speed =
         options.speed_m_per_s > 0.0 ? options.speed_m_per_s : parameters.running.speeds_m_per_s.front();
-    const int ratio = static_cast<int>(std::ceil(1.0 / (options.sampling_rate_hz * largest_step_s(parameters, options)) - 1e-9));
+    const int ratio =
+        static_cast<int>(std::ceil(1.0 / (options.sampling_rate_hz * largest_step_s(parameters, options)) - 1e-9));
     const std::vector<pem::SensorParameters> sensors = sensors_by_channel(parameters);
     std::vector<FilteredChannel> filters;
     for (const pem::SensorParameters& sensor : sensors)

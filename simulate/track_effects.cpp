@@ -89,16 +89,18 @@ void add_rail_and_support_effects(std::vector<HiddenEffect>& list) {
              t.parameters.track.support.bending_modes.push_back(
                  {v.numbers.at("frequency_hz"), v.numbers.at("loss_factor"), v.numbers.at("modal_mass_kg")});
          }});
-    list.push_back({.id = "rail-damper",
-                    .says = "tuned masses hang on the rail",
-                    .place = "rail",
-                    .parameters = {number_parameter("mass_kg_per_m", "kg/m", 2, 40, 15, "per metre of rail"),
-                                   number_parameter("frequency_hz", "Hz", 30, 2000, 120, "on a fixed rail"),
-                                   number_parameter("loss_factor", "1", 0.05, 1.0, 0.35, "of its dashpot, at its own frequency")},
-                    .apply = [](Values v, HiddenTarget t) {
-                        t.parameters.track.rail_dampers.push_back(
-                            {v.numbers.at("mass_kg_per_m"), v.numbers.at("frequency_hz"), v.numbers.at("loss_factor"), 1.0});  // what is marched
-                    }});
+    list.push_back(
+        {.id = "rail-damper",
+         .says = "tuned masses hang on the rail",
+         .place = "rail",
+         .parameters = {number_parameter("mass_kg_per_m", "kg/m", 2, 40, 15, "per metre of rail"),
+                        number_parameter("frequency_hz", "Hz", 30, 2000, 120, "on a fixed rail"),
+                        number_parameter("loss_factor", "1", 0.05, 1.0, 0.35, "of its dashpot, at its own frequency")},
+         .apply = [](Values v, HiddenTarget t) {
+             t.parameters.track.rail_dampers.push_back(
+                 // what is marched
+                 {v.numbers.at("mass_kg_per_m"), v.numbers.at("frequency_hz"), v.numbers.at("loss_factor"), 1.0});
+         }});
 }
 
 void add_irregularity_effects(std::vector<HiddenEffect>& list) {

@@ -12,8 +12,9 @@ namespace railpem::simulate {
 
 /// How much rail travels with the vehicle, and how finely it is divided.
 struct WindowOptions {
-    /// 0.15 m on sleepers every 0.6 m. Two would do for the waves (phase velocity within 1e-3 up to 500 Hz for rails of 50 kg/m and more), but have a line of
-    /// their own where the supports have their second, which they make 8 % smaller (Moving.SecondSleeperPassingLine).
+    /// 0.15 m on sleepers every 0.6 m. Two would do for the waves (phase velocity within 1e-3 up to 500 Hz for rails of
+    /// 50 kg/m and more), but have a line of their own where the supports have their second, which they make 8 %
+    /// smaller (Moving.SecondSleeperPassingLine).
     int elements_per_bay = 4;
     double margin_m = 7.2;                ///< undisturbed rail beyond the outermost wheels
     double absorber_m = 14.4;             ///< then rail with a dashpot that grows with the square of the distance

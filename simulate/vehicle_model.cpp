@@ -61,7 +61,9 @@ struct Assembly {
 };
 
 /// Mass of the body with its payload, which is spread like the body's own, by that without.
-double loaded(const vehicle::VehicleParameters& car) { return 1.0 + car.payload_kg / car.body_mass_kg; }
+double loaded(const vehicle::VehicleParameters& car) {
+    return 1.0 + car.payload_kg / car.body_mass_kg;
+}
 
 void add_masses(Assembly& a) {
     const vehicle::VehicleParameters& car = a.car;
@@ -127,7 +129,8 @@ void add_suspensions(Assembly& a) {
 void add_attachments(Assembly& a) {
     if (a.body_mode >= 0)
         // Bends with the payload, too; as stiff as empty.
-        a.resonator(a.unit(a.body_mode), a.body_mode, a.car.body_bending.front().frequency_hz / std::sqrt(loaded(a.car)),
+        a.resonator(a.unit(a.body_mode), a.body_mode,
+                    a.car.body_bending.front().frequency_hz / std::sqrt(loaded(a.car)),
                     a.car.body_bending.front().damping_ratio);
     if (a.wheel_mode >= 0)
         for (int j = 0; j < 4; ++j)

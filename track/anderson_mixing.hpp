@@ -5,8 +5,9 @@
 
 namespace railpem::track {
 
-/// Anderson's mixing (Walker & Ni 2011, SIAM J. Numer. Anal. 49, eq. 2.1): the next point of an iteration x → x + r(x) is where the last `depth`
-/// differences of r, combined, would leave least. Superlinear where plain steps converge slowly or alternate.
+/// Anderson's mixing (Walker & Ni 2011, SIAM J. Numer. Anal. 49, eq. 2.1): the next point of an iteration x → x + r(x)
+/// is where the last `depth` differences of r, combined, would leave least. Superlinear where plain steps converge
+/// slowly or alternate.
 class AndersonMixing {
   public:
     explicit AndersonMixing(long depth = 5) : depth_(depth) {}
@@ -16,7 +17,9 @@ class AndersonMixing {
         Eigen::VectorXd step = r;
         if (last_r_.size() == r.size()) {
             const long column = count_++ % depth_;
-            if (count_ <= depth_) steps_.conservativeResize(r.size(), count_), residuals_.conservativeResize(r.size(), count_), products_.conservativeResize(count_, count_);
+            if (count_ <= depth_)
+                steps_.conservativeResize(r.size(), count_), residuals_.conservativeResize(r.size(), count_),
+                    products_.conservativeResize(count_, count_);
             residuals_.col(column) = r - last_r_;
             steps_.col(column) = x - last_x_ + residuals_.col(column);
             products_.col(column).noalias() = residuals_.transpose() * residuals_.col(column);

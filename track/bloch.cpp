@@ -57,7 +57,8 @@ bool undecided(const Complex& factor) {
 void decide(Complex& factor, const Complex& lossy) {
     for (int lane = 0; lane < lanes::width; ++lane) {
         const std::complex<double> one = factor[lane], other = 1.0 / one;
-        if (std::abs(1.0 - std::norm(one)) < kUndecided && std::abs(other - lossy[lane]) < std::abs(one - lossy[lane])) factor.set(lane, other);
+        if (std::abs(1.0 - std::norm(one)) < kUndecided && std::abs(other - lossy[lane]) < std::abs(one - lossy[lane]))
+            factor.set(lane, other);
     }
 }
 

@@ -22,9 +22,10 @@ struct HalfTrack {
 /// `bay`: the rail between two supports; `support`: complex stiffness of every support.
 ///
 /// det(farᵀ/λ + M + far·λ) = 0 with M = near + mirrored(near) + support is a quadratic in C = (λ + 1/λ)/2; of each pair
-/// λ, 1/λ the decaying one is taken. The matrix that advances by a bay follows from sum and product of the two factors alone
-/// (Cayley–Hamilton), so nothing breaks where they coincide. `lossy` gives bay and support of the same track with a little
-/// more loss; it is asked only where |λ| = 1 (no damping), to tell which wave travels outwards (limiting absorption).
+/// λ, 1/λ the decaying one is taken. The matrix that advances by a bay follows from sum and product of the two factors
+/// alone (Cayley–Hamilton), so nothing breaks where they coincide. `lossy` gives bay and support of the same track with
+/// a little more loss; it is asked only where |λ| = 1 (no damping), to tell which wave travels outwards (limiting
+/// absorption).
 using Bay = std::pair<RailElement, lanes::Complex>;
 HalfTrack half_track(const RailElement& bay, const lanes::Complex& support, const std::function<Bay()>& lossy);
 

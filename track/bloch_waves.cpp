@@ -13,11 +13,14 @@ namespace {
 /// Of 1 − λ₁/λ₂ and of the rotation times the bay: so far from zero, and so far from infinity, 1e-16 stays below 1e-10.
 constexpr double kApart = 1e-3;
 
-Complex row_times(const Complex& a, const Complex& b, const Complex& rotation) { return a + b * rotation; }
+Complex row_times(const Complex& a, const Complex& b, const Complex& rotation) {
+    return a + b * rotation;
+}
 
 }  // namespace
 
-BlochWaves bloch_waves(const TrackParameters& track, double pad_stiffness_n_per_m, lanes::Real omega, const SupportLaw& law) {
+BlochWaves bloch_waves(const TrackParameters& track, double pad_stiffness_n_per_m, lanes::Real omega,
+                       const SupportLaw& law) {
     return bloch_waves(uniform_rail(track, {0.0}, pad_stiffness_n_per_m), omega, law);
 }
 
@@ -40,12 +43,15 @@ BlochWaves bloch_waves(const ExactRail& rail, lanes::Real omega, const SupportLa
 
 bool apart(const BlochWaves& waves) {
     using lanes::norm;
-    const lanes::Real difference = norm(waves.factor[0] - waves.factor[1]), first = norm(waves.factor[0]), second = norm(waves.factor[1]);
+    const lanes::Real difference = norm(waves.factor[0] - waves.factor[1]), first = norm(waves.factor[0]),
+                      second = norm(waves.factor[1]);
     const lanes::Real turned = norm(waves.rotation[0]), other_turned = norm(waves.rotation[1]);
     constexpr double apart2 = kApart * kApart;
     const double turned2 = 1.0 / (apart2 * waves.spacing_m * waves.spacing_m);
     for (int lane = 0; lane < lanes::width; ++lane)
-        if (!(difference[lane] > apart2 * std::max(first[lane], second[lane]) && std::max(turned[lane], other_turned[lane]) < turned2)) return false;
+        if (!(difference[lane] > apart2 * std::max(first[lane], second[lane]) &&
+              std::max(turned[lane], other_turned[lane]) < turned2))
+            return false;
     return true;
 }
 
@@ -58,15 +64,19 @@ BayPoint bay_point(const BlochWaves& waves, double ahead_m) {
         point.lifted = Complex(1.0);
         return point;
     }
-    const RailElement behind = rail_element(waves.beam, ahead_m), ahead = rail_element(waves.beam, waves.spacing_m - ahead_m);
-    const Matrix2 clamped = lanes::inverse(mirrored(behind.near) + ahead.near);  // receptance between pads that do not move
+    const RailElement behind = rail_element(waves.beam, ahead_m),
+                      ahead = rail_element(waves.beam, waves.spacing_m - ahead_m);
+    // receptance between pads that do not move
+    const Matrix2 clamped = lanes::inverse(mirrored(behind.near) + ahead.near);
     const Matrix2 rear = Matrix2{} - clamped * transpose(behind.far), front = Matrix2{} - clamped * ahead.far;
     point.own = clamped.a;
     point.lifted = rear.a + front.a;
     for (std::size_t i = 0; i < 2; ++i) {
         const Complex& rotation = waves.rotation[i];
-        const Complex rear_ahead = row_times(rear.a, rear.b, rotation), front_ahead = row_times(front.a, front.b, rotation);
-        const Complex rear_back = row_times(rear.a, rear.b, -rotation), front_back = row_times(front.a, front.b, -rotation);
+        const Complex rear_ahead = row_times(rear.a, rear.b, rotation),
+                      front_ahead = row_times(front.a, front.b, rotation);
+        const Complex rear_back = row_times(rear.a, rear.b, -rotation),
+                      front_back = row_times(front.a, front.b, -rotation);
         point.from_rear[i] = rear_ahead + waves.factor[i] * front_ahead;
         point.from_front[i] = front_back + waves.factor[i] * rear_back;
         // The pads move with the waves that the point's own force sends out.

@@ -8,8 +8,8 @@ namespace railpem::track {
 
 std::vector<double> decay_rate_positions_m(double spacing_m) {
     std::vector<double> positions;
-    for (const double bays : {0.0, 0.25, 0.5, 0.75, 1.0, 1.25, 1.5, 1.75, 2.0, 2.25, 2.5, 3.0, 3.5, 4.0, 5.0, 6.0, 7.0, 8.0,
-                              10.0, 12.0, 16.0, 20.0, 24.0, 30.0, 36.0, 42.0, 48.0, 54.0, 66.0})
+    for (const double bays : {0.0, 0.25, 0.5, 0.75, 1.0,  1.25, 1.5,  1.75, 2.0,  2.25, 2.5,  3.0,  3.5,  4.0, 5.0,
+                              6.0, 7.0,  8.0, 10.0, 12.0, 16.0, 20.0, 24.0, 30.0, 36.0, 42.0, 48.0, 54.0, 66.0})
         positions.push_back(bays * spacing_m);
     return positions;
 }

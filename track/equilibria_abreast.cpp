@@ -20,8 +20,12 @@ constexpr int kMostSteps = 15;  ///< 3 to 5 are usual from a near start
 
 using Column = std::array<Real, 4>;  ///< of a symmetric band: the diagonal and three below it
 
-Real larger(Real a, Real b) { return a > b ? a : b; }
-Real size(Real a) { return larger(a, -a); }
+Real larger(Real a, Real b) {
+    return a > b ? a : b;
+}
+Real size(Real a) {
+    return larger(a, -a);
+}
 double largest_lane(Real a) {
     double largest = a[0];
     for (int lane = 1; lane < lanes::width; ++lane) largest = std::max(largest, a[lane]);
@@ -50,7 +54,9 @@ ForcesAndSlopes curve_value(const PadCurve& curve, Real s) {
     const auto parted = s <= lanes::broadcast(curve.free_compression_m);
     const Real tangent = curve.limit_force_n + (s - curve.limit_compression_m) * curve.limit_stiffness_n_per_m;
     value.force_n = parted ? Real{} : beyond ? tangent : value.force_n;
-    value.slope_n_per_m = parted ? Real{} : beyond ? lanes::broadcast(curve.limit_stiffness_n_per_m) : value.slope_n_per_m;
+    value.slope_n_per_m = parted   ? Real{}
+                          : beyond ? lanes::broadcast(curve.limit_stiffness_n_per_m)
+                                   : value.slope_n_per_m;
     return value;
 }
 
@@ -59,8 +65,8 @@ struct Shape {
     std::vector<Real> deflection, compression;
 };
 
-/// A seat near a deflection u and a compression S that need not belong together yet: its force on the rail and its tangent once S
-/// follows u, and the step of S apart from what u adds, S + a·ρ·(F − F_c) = u linearised.
+/// A seat near a deflection u and a compression S that need not belong together yet: its force on the rail and its
+/// tangent once S follows u, and the step of S apart from what u adds, S + a·ρ·(F − F_c) = u linearised.
 struct SeatStep {
     Real force_n, tangent_n_per_m, own_step_m, following;
     Real between_n;  ///< what pad and support disagree by
@@ -114,7 +120,12 @@ void solve_abreast(std::vector<Column>& matrix, std::vector<Real>& x) {
 class Abreast {
   public:
     Abreast(const LoadedRail& rail, std::vector<Real> scale, double spacing_m)
-        : rail_(rail), scale_(std::move(scale)), spacing_m_(spacing_m), seats_(scale_.size()), unbalanced_(static_cast<std::size_t>(rail.load.size())), tangent_(unbalanced_.size()) {}
+        : rail_(rail),
+          scale_(std::move(scale)),
+          spacing_m_(spacing_m),
+          seats_(scale_.size()),
+          unbalanced_(static_cast<std::size_t>(rail.load.size())),
+          tangent_(unbalanced_.size()) {}
 
     /// Newton's method on `shape`; the steps of the seats end up consistent. Per lane: whether it got there.
     std::array<bool, lanes::width> settle(Shape& shape) {
@@ -129,7 +140,8 @@ class Abreast {
         Real sum{};  // not a number if anything is
         for (const Real& u : shape.deflection) sum += u;
         std::array<bool, lanes::width> settled{};
-        for (int lane = 0; lane < lanes::width; ++lane) settled[static_cast<std::size_t>(lane)] = left[lane] <= tolerance && std::isfinite(sum[lane]);
+        for (int lane = 0; lane < lanes::width; ++lane)
+            settled[static_cast<std::size_t>(lane)] = left[lane] <= tolerance && std::isfinite(sum[lane]);
         return settled;
     }
 
@@ -142,16 +154,20 @@ class Abreast {
         Real largest = larger(size(unbalanced_.front()), size(unbalanced_.back()));
         for (std::size_t j = 0; j < seats_.size(); ++j) {
             const std::size_t at = deflection(j);
-            const SeatStep& seat = seats_[j] = seat_step(rail_.seat, scale_[j], shape.deflection[at], shape.compression[j]);
+            const SeatStep& seat = seats_[j] =
+                seat_step(rail_.seat, scale_[j], shape.deflection[at], shape.compression[j]);
             unbalanced_[at] -= seat.force_n;
-            largest = larger(larger(largest, seat.between_n), larger(size(unbalanced_[at]), size(unbalanced_[at + 1]) * (2.0 / spacing_m_)));
+            largest = larger(larger(largest, seat.between_n),
+                             larger(size(unbalanced_[at]), size(unbalanced_[at + 1]) * (2.0 / spacing_m_)));
         }
         return largest;
     }
 
     void advance(Shape& shape) {
         for (std::size_t i = 0; i < tangent_.size(); ++i)
-            for (std::size_t k = 0; k < 4; ++k) tangent_[i][k] = lanes::broadcast(rail_.stiffness(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(i)));
+            for (std::size_t k = 0; k < 4; ++k)
+                tangent_[i][k] =
+                    lanes::broadcast(rail_.stiffness(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(i)));
         for (std::size_t j = 0; j < seats_.size(); ++j) tangent_[deflection(j)][0] += seats_[j].tangent_n_per_m;
         solve_abreast(tangent_, unbalanced_);
         for (std::size_t i = 0; i < unbalanced_.size(); ++i) shape.deflection[i] += unbalanced_[i];
@@ -168,23 +184,27 @@ class Abreast {
 };
 
 /// Seats of lanes::width tracks, per pad; tracks beyond the last repeat it.
-std::vector<Real> scales(const TrackParameters& track, const std::vector<double>& wheels_m, const std::vector<double>& pads_m,
-                         const std::vector<int>& first_seats, std::size_t first) {
+std::vector<Real> scales(const TrackParameters& track, const std::vector<double>& wheels_m,
+                         const std::vector<double>& pads_m, const std::vector<int>& first_seats, std::size_t first) {
     std::vector<Real> scale(pads_m.size());
     FailedFasteners failed = track.failed_fasteners.front();
     for (int lane = 0; lane < lanes::width; ++lane) {
         failed.first_seat = first_seats[std::min(first + static_cast<std::size_t>(lane), first_seats.size() - 1)];
-        for (std::size_t j = 0; j < pads_m.size(); ++j) scale[j][lane] = pad_scale(failed, seat_index(track, wheels_m, pads_m[j]));
+        for (std::size_t j = 0; j < pads_m.size(); ++j)
+            scale[j][lane] = pad_scale(failed, seat_index(track, wheels_m, pads_m[j]));
     }
     return scale;
 }
 
 /// Where the iteration begins: the unloaded track, or the equilibria given.
-Shape begin(const SeatState& unloaded, std::size_t pads, const std::vector<StaticEquilibrium>& start, std::size_t first) {
+Shape begin(const SeatState& unloaded, std::size_t pads, const std::vector<StaticEquilibrium>& start,
+            std::size_t first) {
     const std::size_t unknowns = 2 * pads + 2;
     Shape shape{std::vector<Real>(unknowns), std::vector<Real>(pads, lanes::broadcast(unloaded.compression_m))};
     shape.deflection.front() = shape.deflection.back() = lanes::broadcast(unloaded.displacement_m);
-    for (std::size_t j = 0; j < pads; ++j) shape.deflection[static_cast<std::size_t>(LoadedRail::deflection(j))] = lanes::broadcast(unloaded.displacement_m);
+    for (std::size_t j = 0; j < pads; ++j)
+        shape.deflection[static_cast<std::size_t>(LoadedRail::deflection(j))] =
+            lanes::broadcast(unloaded.displacement_m);
     if (start.empty()) return shape;
     for (int lane = 0; lane < lanes::width; ++lane) {
         const StaticEquilibrium& near = start[std::min(first + static_cast<std::size_t>(lane), start.size() - 1)];
@@ -196,8 +216,9 @@ Shape begin(const SeatState& unloaded, std::size_t pads, const std::vector<Stati
 }
 
 /// One lane as what static_equilibrium() returns.
-StaticEquilibrium equilibrium_of(const TrackParameters& track, const LoadedRail& rail, const std::vector<double>& pads_m,
-                                 const SeatState& unloaded, const Shape& shape, const std::vector<Real>& scale, int lane) {
+StaticEquilibrium equilibrium_of(const TrackParameters& track, const LoadedRail& rail,
+                                 const std::vector<double>& pads_m, const SeatState& unloaded, const Shape& shape,
+                                 const std::vector<Real>& scale, int lane) {
     StaticEquilibrium result;
     result.position_m = pads_m;
     for (const Real& u : shape.deflection) result.deflection.push_back(u[lane]);
@@ -205,18 +226,21 @@ StaticEquilibrium equilibrium_of(const TrackParameters& track, const LoadedRail&
         result.remaining_fraction.push_back(scale[j][lane]);
         result.compression_m.push_back(shape.compression[j][lane]);
         result.static_stiffness_n_per_m.push_back(pad_stiffness(rail.seat.curve, shape.compression[j][lane]));
-        result.dynamic_stiffness_n_per_m.push_back(initial_dynamic_stiffness(track.pads, result.static_stiffness_n_per_m.back()));
+        result.dynamic_stiffness_n_per_m.push_back(
+            initial_dynamic_stiffness(track.pads, result.static_stiffness_n_per_m.back()));
     }
     result.unloaded_compression_m = unloaded.compression_m;
     result.unloaded_static_stiffness_n_per_m = pad_stiffness(rail.seat.curve, unloaded.compression_m);
-    result.unloaded_dynamic_stiffness_n_per_m = initial_dynamic_stiffness(track.pads, result.unloaded_static_stiffness_n_per_m);
+    result.unloaded_dynamic_stiffness_n_per_m =
+        initial_dynamic_stiffness(track.pads, result.unloaded_static_stiffness_n_per_m);
     return result;
 }
 
 }  // namespace
 
-std::vector<StaticEquilibrium> equilibria_abreast(const TrackParameters& track, const std::vector<double>& wheels_m, double wheel_load_n,
-                                                  const std::vector<double>& pads_m, const std::vector<int>& first_seats,
+std::vector<StaticEquilibrium> equilibria_abreast(const TrackParameters& track, const std::vector<double>& wheels_m,
+                                                  double wheel_load_n, const std::vector<double>& pads_m,
+                                                  const std::vector<int>& first_seats,
                                                   const std::vector<StaticEquilibrium>& start) {
     assert(!track.failed_fasteners.empty() && (start.empty() || start.size() == first_seats.size()));
     const LoadedRail rail = loaded_rail(track, wheels_m, wheel_load_n, pads_m);

@@ -22,7 +22,10 @@ int length_index(std::vector<double>& lengths, double length) {
 /// Merges seats and points into nodes and names the stretches between them.
 void place_nodes(ExactRail& rail, const std::vector<Seat>& seats, const std::vector<double>& points) {
     for (const Seat& seat : seats)
-        rail.nodes.push_back({.position_m = seat.position_m, .pad_stiffness_n_per_m = seat.pad_stiffness_n_per_m, .pad_scale = seat.scale, .supported = true});
+        rail.nodes.push_back({.position_m = seat.position_m,
+                              .pad_stiffness_n_per_m = seat.pad_stiffness_n_per_m,
+                              .pad_scale = seat.scale,
+                              .supported = true});
     for (std::size_t i = 0; i < points.size(); ++i) {
         const auto same = [&](const RailNode& node) { return std::abs(node.position_m - points[i]) < kSameNode; };
         const auto found = std::find_if(rail.nodes.begin(), rail.nodes.end(), same);
@@ -33,7 +36,8 @@ void place_nodes(ExactRail& rail, const std::vector<Seat>& seats, const std::vec
             rail.nodes.push_back({.position_m = points[i], .point = static_cast<int>(i)});
         }
     }
-    std::sort(rail.nodes.begin(), rail.nodes.end(), [](const RailNode& a, const RailNode& b) { return a.position_m < b.position_m; });
+    std::sort(rail.nodes.begin(), rail.nodes.end(),
+              [](const RailNode& a, const RailNode& b) { return a.position_m < b.position_m; });
     rail.lengths_m = {rail.spacing_m};
     for (std::size_t j = 0; j + 1 < rail.nodes.size(); ++j)
         rail.nodes[j].stretch = length_index(rail.lengths_m, rail.nodes[j + 1].position_m - rail.nodes[j].position_m);
@@ -53,21 +57,28 @@ ExactRail bare_rail(const TrackParameters& track, double uniform_stiffness) {
 
 }  // namespace
 
-ExactRail exact_rail(const TrackParameters& track, const std::vector<double>& points_m, const StaticEquilibrium& equilibrium, double tolerance) {
+ExactRail exact_rail(const TrackParameters& track, const std::vector<double>& points_m,
+                     const StaticEquilibrium& equilibrium, double tolerance) {
     ExactRail rail = bare_rail(track, equilibrium.unloaded_dynamic_stiffness_n_per_m);
     const double rearmost = *std::min_element(points_m.begin(), points_m.end());
     const double foremost = *std::max_element(points_m.begin(), points_m.end());
     const std::vector<Seat> seats = seat_row(track, points_m, equilibrium);
     const auto differs = [&](const Seat& seat) {
-        return seat.scale != 1.0 || std::abs(seat.pad_stiffness_n_per_m / rail.uniform_pad_stiffness_n_per_m - 1.0) > tolerance;
+        return seat.scale != 1.0 ||
+               std::abs(seat.pad_stiffness_n_per_m / rail.uniform_pad_stiffness_n_per_m - 1.0) > tolerance;
     };
-    const auto first = std::find_if(seats.begin(), seats.end(), [&](const Seat& s) { return differs(s) || s.position_m > rearmost - track.spacing_m - kSameNode; });
-    const auto last = std::find_if(seats.rbegin(), seats.rend(), [&](const Seat& s) { return differs(s) || s.position_m < foremost + track.spacing_m + kSameNode; });
+    const auto first = std::find_if(seats.begin(), seats.end(), [&](const Seat& s) {
+        return differs(s) || s.position_m > rearmost - track.spacing_m - kSameNode;
+    });
+    const auto last = std::find_if(seats.rbegin(), seats.rend(), [&](const Seat& s) {
+        return differs(s) || s.position_m < foremost + track.spacing_m + kSameNode;
+    });
     place_nodes(rail, {first, last.base()}, points_m);
     return rail;
 }
 
-ExactRail uniform_rail(const TrackParameters& track, const std::vector<double>& points_m, double pad_stiffness_n_per_m) {
+ExactRail uniform_rail(const TrackParameters& track, const std::vector<double>& points_m,
+                       double pad_stiffness_n_per_m) {
     ExactRail rail = bare_rail(track, pad_stiffness_n_per_m);
     const auto [low, high] = std::minmax_element(points_m.begin(), points_m.end());
     std::vector<Seat> seats;
@@ -79,7 +90,11 @@ ExactRail uniform_rail(const TrackParameters& track, const std::vector<double>& 
 }
 
 ExactRailWorkspace::ExactRailWorkspace(const ExactRail& rail)
-    : elements(rail.lengths_m.size()), supports(rail.nodes.size()), condensed(rail.nodes.size()), back(rail.nodes.size()), load(rail.nodes.size()) {
+    : elements(rail.lengths_m.size()),
+      supports(rail.nodes.size()),
+      condensed(rail.nodes.size()),
+      back(rail.nodes.size()),
+      load(rail.nodes.size()) {
     const std::size_t points = static_cast<std::size_t>(rail.points);
     result.between.resize(points * points);
     result.trackbed.resize(points);

@@ -1,6 +1,7 @@
 #pragma once
-// The exact, infinite, discretely supported rail: dynamic-stiffness elements between the supports that matter, the Bloch
-// impedance of the uniform track beyond them. Nothing is truncated, and the cost grows linearly with the number of nodes.
+// The exact, infinite, discretely supported rail: dynamic-stiffness elements between the supports that matter, the
+// Bloch impedance of the uniform track beyond them. Nothing is truncated, and the cost grows linearly with the number
+// of nodes.
 
 #include <vector>
 
@@ -17,8 +18,8 @@ struct RailNode {
     double pad_stiffness_n_per_m = 0.0;  ///< K0 at the reference frequency; meaningless without a support
     double pad_scale = 1.0;              ///< what is left of stiffness and damping (failed fasteners)
     bool supported = false;
-    int point = -1;                      ///< index of the point (wheel) that stands here, or −1
-    int stretch = -1;                    ///< index into ExactRail::lengths_m of the rail from here to the next node
+    int point = -1;    ///< index of the point (wheel) that stands here, or −1
+    int stretch = -1;  ///< index into ExactRail::lengths_m of the rail from here to the next node
 };
 
 /// Geometry and stiffness, prepared once for all frequencies.
@@ -34,19 +35,23 @@ struct ExactRail {
     int points = 0;
 };
 
-/// The finite part holds the supports whose K0 differs from the uniform one by more than `tolerance` (relative), and the
-/// stretch between the outermost points. `points_m`: where receptances are asked, in any order, anywhere in a bay.
-ExactRail exact_rail(const TrackParameters& track, const std::vector<double>& points_m, const StaticEquilibrium& equilibrium,
-                     double tolerance = 1e-10);
+/// The finite part holds the supports whose K0 differs from the uniform one by more than `tolerance` (relative), and
+/// the stretch between the outermost points. `points_m`: where receptances are asked, in any order, anywhere in a bay.
+ExactRail exact_rail(const TrackParameters& track, const std::vector<double>& points_m,
+                     const StaticEquilibrium& equilibrium, double tolerance = 1e-10);
 
-/// The same with every support alike (track without a vehicle, at rest): K0 = `pad_stiffness_n_per_m`, a support at position 0.
+/// The same with every support alike (track without a vehicle, at rest): K0 = `pad_stiffness_n_per_m`, a support at
+/// position 0.
 ExactRail uniform_rail(const TrackParameters& track, const std::vector<double>& points_m, double pad_stiffness_n_per_m);
 
 /// Receptances at the points for unit upward forces, m/N, and the sum of all pad forces they cause.
 struct RailReceptance {
-    std::vector<lanes::Complex> between;   ///< [i·points + j], symmetric
-    std::vector<lanes::Complex> trackbed;  ///< [j]: Σ over all pads, finite part and both infinite ends, of K·w per unit force at j
-    const lanes::Complex& at(int i, int j) const { return between[static_cast<std::size_t>(i) * trackbed.size() + static_cast<std::size_t>(j)]; }
+    std::vector<lanes::Complex> between;  ///< [i·points + j], symmetric
+    /// [j]: Σ over all pads, finite part and both infinite ends, of K·w per unit force at j
+    std::vector<lanes::Complex> trackbed;
+    const lanes::Complex& at(int i, int j) const {
+        return between[static_cast<std::size_t>(i) * trackbed.size() + static_cast<std::size_t>(j)];
+    }
 };
 
 /// Memory that one thread needs for one rail; a few hundred bytes per node and lane group.
@@ -69,8 +74,9 @@ class SupportLaw {
     SupportLaw(const PadParameters& pads, const SupportParameters& support, lanes::Real omega);
     lanes::Complex stiffness(double pad_stiffness_n_per_m, double scale = 1.0) const;
 
-    /// stiffness(K0, scale) − stiffness(K0 of `uniform_n_per_m`) as a fraction, so that what goes on with it needs no division of its own and
-    /// small changes do not cancel: with pads P and P_u on R below, [(P − P_u)/(1 + P_u·R)] / (1 + P·R).
+    /// stiffness(K0, scale) − stiffness(K0 of `uniform_n_per_m`) as a fraction, so that what goes on with it needs no
+    /// division of its own and small changes do not cancel: with pads P and P_u on R below, [(P − P_u)/(1 + P_u·R)] /
+    /// (1 + P·R).
     class Change {
       public:
         lanes::Complex numerator(double pad_stiffness_n_per_m, double scale) const {
@@ -92,14 +98,15 @@ class SupportLaw {
     bool rigid_;
 };
 
-/// Solves one group of lines: condensation from the rear, selected inversion from the front (block-tridiagonal, 2×2 blocks).
-/// ω > 0 in rad/s. The reference returned lives in the workspace.
+/// Solves one group of lines: condensation from the rear, selected inversion from the front (block-tridiagonal, 2×2
+/// blocks). ω > 0 in rad/s. The reference returned lives in the workspace.
 const RailReceptance& rail_receptance(const ExactRail& rail, lanes::Real omega, ExactRailWorkspace& workspace);
 
 /// Half of the infinite uniform track at ω (its decay per bay, its impedance).
 HalfTrack uniform_half_track(const ExactRail& rail, lanes::Real omega);
 
 /// The same with what it is made of known: a bay of rail and a support at ω.
-HalfTrack uniform_half_track(const ExactRail& rail, lanes::Real omega, const RailElement& bay, const lanes::Complex& support);
+HalfTrack uniform_half_track(const ExactRail& rail, lanes::Real omega, const RailElement& bay,
+                             const lanes::Complex& support);
 
 }  // namespace railpem::track

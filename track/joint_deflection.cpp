@@ -19,8 +19,10 @@ WavePair forced(const BayPoint& point, const WavePair& excited, const BayFactors
             bay.second * (behind.e[1] + behind.s12 * p1 + behind.s22 * p2) + excited[1] * point.from_front[1]};
 }
 
-/// On the way back across a bay with a point: its deflection. β is that over the pad ahead, and becomes that over the pad behind.
-Complex deflection(const BayPoint& point, const WavePair& excited, const BayFactors& bay, const Behind& behind, WavePair& beta) {
+/// On the way back across a bay with a point: its deflection. β is that over the pad ahead, and becomes that over the
+/// pad behind.
+Complex deflection(const BayPoint& point, const WavePair& excited, const BayFactors& bay, const Behind& behind,
+                   WavePair& beta) {
     Complex w = point.own;
     for (std::size_t i = 0; i < 2; ++i) w += point.from_front[i] * excited[i] * beta[i];
     beta = {beta[0] * bay.first + point.from_rear[0], beta[1] * bay.second + point.from_rear[1]};
@@ -43,8 +45,9 @@ std::size_t felt_bays(const WavePair& factor) {
 
 /// `Count` rows in step: one waits for the division of its last seat while the other computes.
 template <std::size_t Count>
-void sweep(const BlochWaves& waves, const SupportLaw::Change& change, double uniform, const std::vector<Seat>* const* rows, const PlacedPoints& placed,
-           std::span<const BayPoint> points, ScatterRow& memory, Complex* result, double tolerance) {
+void sweep(const BlochWaves& waves, const SupportLaw::Change& change, double uniform,
+           const std::vector<Seat>* const* rows, const PlacedPoints& placed, std::span<const BayPoint> points,
+           ScatterRow& memory, Complex* result, double tolerance) {
     const BayFactors bay(waves.factor);
     const std::size_t count = placed.points.size(), felt = felt_bays(waves.factor);
     // What is so far behind the rearmost point or ahead of the foremost that no echo of it is left is not looked at.
@@ -52,7 +55,9 @@ void sweep(const BlochWaves& waves, const SupportLaw::Change& change, double uni
     const std::size_t seats = std::min(rows[0]->size(), placed.points.back().seat + felt + 1);
     std::array<Behind, Count> behind{};
     std::array<std::array<Behind, Count>, kMostPoints> at_point;
-    const auto differs = [&](const Seat& seat) { return seat.scale != 1.0 || std::abs(seat.pad_stiffness_n_per_m - uniform) > tolerance * uniform; };
+    const auto differs = [&](const Seat& seat) {
+        return seat.scale != 1.0 || std::abs(seat.pad_stiffness_n_per_m - uniform) > tolerance * uniform;
+    };
     const std::size_t loaded = placed.points.front().seat + 1;  // behind it nothing pushes, and the way back ends there
     for (std::size_t j = rear; j < loaded; ++j)
         for (std::size_t t = 0; t < Count; ++t) {
@@ -67,9 +72,11 @@ void sweep(const BlochWaves& waves, const SupportLaw::Change& change, double uni
     for (std::size_t j = loaded - 1; j < seats; ++j) {
         for (std::size_t t = 0; t < Count && j >= loaded; ++t) {
             const Seat& seat = (*rows[t])[j];
-            memory[j][t] = differs(seat) ? scatter(waves.excited, change.numerator(seat.pad_stiffness_n_per_m, seat.scale),
-                                                   change.denominator(seat.pad_stiffness_n_per_m, seat.scale), behind[t].e[0] + behind[t].e[1], behind[t])
-                                         : Scatter{};
+            memory[j][t] = differs(seat)
+                               ? scatter(waves.excited, change.numerator(seat.pad_stiffness_n_per_m, seat.scale),
+                                         change.denominator(seat.pad_stiffness_n_per_m, seat.scale),
+                                         behind[t].e[0] + behind[t].e[1], behind[t])
+                               : Scatter{};
         }
         const bool has_point = point < count && placed.points[point].seat == j;
         for (std::size_t t = 0; t < Count; ++t) {
@@ -93,7 +100,8 @@ void sweep(const BlochWaves& waves, const SupportLaw::Change& change, double uni
         for (std::size_t t = 0; t < Count; ++t) {
             WavePair& b = beta[t];
             if (has_point)
-                result[t * count + placed.order[point]] = deflection(points[point], waves.excited, bay, at_point[point][t], b);
+                result[t * count + placed.order[point]] =
+                    deflection(points[point], waves.excited, bay, at_point[point][t], b);
             else
                 b = {b[0] * bay.first, b[1] * bay.second};
             if (point == 0) continue;
@@ -107,12 +115,14 @@ void sweep(const BlochWaves& waves, const SupportLaw::Change& change, double uni
 
 }  // namespace
 
-std::optional<PlacedPoints> place_points(const std::vector<Seat>& seats, const std::vector<double>& points_m, double spacing_m) {
+std::optional<PlacedPoints> place_points(const std::vector<Seat>& seats, const std::vector<double>& points_m,
+                                         double spacing_m) {
     assert(points_m.size() <= kMostPoints);
     PlacedPoints placed;
     placed.order.resize(points_m.size());
     std::iota(placed.order.begin(), placed.order.end(), std::size_t{0});
-    std::sort(placed.order.begin(), placed.order.end(), [&](std::size_t a, std::size_t b) { return points_m[a] < points_m[b]; });
+    std::sort(placed.order.begin(), placed.order.end(),
+              [&](std::size_t a, std::size_t b) { return points_m[a] < points_m[b]; });
     for (const std::size_t i : placed.order) {
         const double bays = (points_m[i] - seats.front().position_m) / spacing_m;
         const std::size_t seat = static_cast<std::size_t>(std::floor(bays + kSameNode / spacing_m));
@@ -125,16 +135,19 @@ std::optional<PlacedPoints> place_points(const std::vector<Seat>& seats, const s
 }
 
 void joint_deflection(const BlochWaves& waves, const SupportLaw& law, double uniform_pad_stiffness_n_per_m,
-                      std::span<const std::vector<Seat>* const> rows, const PlacedPoints& placed, std::span<const BayPoint> points,
-                      ScatterRow& memory, Complex* result, double tolerance) {
+                      std::span<const std::vector<Seat>* const> rows, const PlacedPoints& placed,
+                      std::span<const BayPoint> points, ScatterRow& memory, Complex* result, double tolerance) {
     assert(points.size() == placed.points.size());
     memory.resize(rows.front()->size());
     const std::size_t count = placed.points.size();
     const SupportLaw::Change change = law.change_from(uniform_pad_stiffness_n_per_m);
     std::size_t r = 0;
     for (; r + 2 <= rows.size(); r += 2)
-        sweep<2>(waves, change, uniform_pad_stiffness_n_per_m, rows.data() + r, placed, points, memory, result + r * count, tolerance);
-    if (r < rows.size()) sweep<1>(waves, change, uniform_pad_stiffness_n_per_m, rows.data() + r, placed, points, memory, result + r * count, tolerance);
+        sweep<2>(waves, change, uniform_pad_stiffness_n_per_m, rows.data() + r, placed, points, memory,
+                 result + r * count, tolerance);
+    if (r < rows.size())
+        sweep<1>(waves, change, uniform_pad_stiffness_n_per_m, rows.data() + r, placed, points, memory,
+                 result + r * count, tolerance);
 }
 
 }  // namespace railpem::track

@@ -15,7 +15,7 @@ namespace railpem::track {
 /// uniformly.
 struct LoadedRail {
     SymmetricBand stiffness;  ///< of the beam
-    Eigen::VectorXd load;            ///< rail weight and wheels
+    Eigen::VectorXd load;     ///< rail weight and wheels
     SeatLaw seat;
     std::vector<double> scale;  ///< per pad, what a failed fastener has left
     double largest_load_n = 0.0;
@@ -24,8 +24,9 @@ struct LoadedRail {
     std::size_t pads() const { return scale.size(); }
 };
 
-/// The rail of `track` on pads at `pads_m` (increasing), under its weight and under wheels of `wheel_load_n` each, downwards. Throws
-/// parameters::ParameterError when a wheel stands off the track or the curve of the pads is no static law.
+/// The rail of `track` on pads at `pads_m` (increasing), under its weight and under wheels of `wheel_load_n` each,
+/// downwards. Throws parameters::ParameterError when a wheel stands off the track or the curve of the pads is no static
+/// law.
 LoadedRail loaded_rail(const TrackParameters& track, const std::vector<double>& wheels_m, double wheel_load_n,
                        const std::vector<double>& pads_m);
 

@@ -17,7 +17,8 @@ constexpr int kIterations = 12;
 
 std::vector<double> frequencies() {
     std::vector<double> result{kFirst_hz};
-    while (result.back() < kEnd_hz) result.push_back(result.back() < kLast_hz ? result.back() + kStep_hz : kRatio * result.back());
+    while (result.back() < kEnd_hz)
+        result.push_back(result.back() < kLast_hz ? result.back() + kStep_hz : kRatio * result.back());
     return result;
 }
 
@@ -40,11 +41,14 @@ lanes::FactorCurve mean_of_failed(const TrackParameters& track, double pad_stiff
         const lanes::Real omega = lanes::broadcast(2.0 * std::numbers::pi * f);
         const SupportLaw law(track.pads, track.support, omega);
         const RailElement bay = rail_element(beam_coefficients(track.rail, track.rail_dampers, omega), track.spacing_m);
-        const Complex sound = law.stiffness(pad_stiffness), failed = law.stiffness(pad_stiffness, left), below = support_receptance(track.support, omega);
+        const Complex sound = law.stiffness(pad_stiffness), failed = law.stiffness(pad_stiffness, left),
+                      below = support_receptance(track.support, omega);
         Complex equal = sound * (1.0 - share) + failed * share;
         for (int i = 0; i < kIterations; ++i) {
-            const Complex receptance = lanes::reciprocal(uniform_half_track(rail, omega, bay, equal).stiffness.a * 2.0 + equal);
-            const Complex mean = scattered(sound, equal, receptance) * (1.0 - share) + scattered(failed, equal, receptance) * share;
+            const Complex receptance =
+                lanes::reciprocal(uniform_half_track(rail, omega, bay, equal).stiffness.a * 2.0 + equal);
+            const Complex mean =
+                scattered(sound, equal, receptance) * (1.0 - share) + scattered(failed, equal, receptance) * share;
             equal += mean / (mean * receptance + 1.0);
         }
         // Pads of the equal seats over those of the sound ones: 1/K = 1/pad + below.

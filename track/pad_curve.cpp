@@ -62,19 +62,22 @@ double compression_at(const PadCurve& curve, double low, double high, double for
         (value.force_n < force_n ? low : high) = s;
         double next = s - (value.force_n - force_n) / value.slope_n_per_m;
         if (!(next > low && next < high)) next = 0.5 * (low + high);
-        if (std::abs(next - s) <= 4.0 * std::numeric_limits<double>::epsilon() * std::abs(s) || next <= low || next >= high) return next;
+        if (std::abs(next - s) <= 4.0 * std::numeric_limits<double>::epsilon() * std::abs(s) || next <= low ||
+            next >= high)
+            return next;
         s = next;
     }
 }
 
 [[noreturn]] void refuse_falling_curve(double compression_m, double force_n) {
     throw ParameterError("track.pads.force_polynomial_n",
-                         fmt::format("the static curve stops rising at a compression of {:.3g} mm, at {:.3g} kN", 1e3 * compression_m, 1e-3 * force_n),
+                         fmt::format("the static curve stops rising at a compression of {:.3g} mm, at {:.3g} kN",
+                                     1e3 * compression_m, 1e-3 * force_n),
                          "a curve that rises up to curve_limit_n, or a smaller curve_limit_n");
 }
 
-/// The first step from the free compression at which a polynomial is not below the limit, several at once: the steps are many, and a train
-/// at many places asks for the curve at each.
+/// The first step from the free compression at which a polynomial is not below the limit, several at once: the steps
+/// are many, and a train at many places asks for the curve at each.
 double first_beyond(const PadCurve& curve, double limit_n, double step, double farthest) {
     for (double s = curve.free_compression_m;;) {
         lanes::Real at{}, force{}, slope{};
@@ -85,7 +88,8 @@ double first_beyond(const PadCurve& curve, double limit_n, double step, double f
         }
         for (int lane = 0; lane < lanes::width; ++lane) {
             if (!(force[lane] < limit_n)) return at[lane];
-            if (slope[lane] <= 0.0 || at[lane] - curve.free_compression_m > farthest) refuse_falling_curve(at[lane], force[lane]);
+            if (slope[lane] <= 0.0 || at[lane] - curve.free_compression_m > farthest)
+                refuse_falling_curve(at[lane], force[lane]);
         }
     }
 }
@@ -187,7 +191,8 @@ double pad_force(const PadCurve& curve, double compression_m) {
 }
 
 double pad_force(const PadCurve& curve, double compression_m, std::size_t& piece) {
-    if (curve.pieces.empty() || compression_m <= curve.free_compression_m || compression_m > curve.limit_compression_m) return pad_force(curve, compression_m);
+    if (curve.pieces.empty() || compression_m <= curve.free_compression_m || compression_m > curve.limit_compression_m)
+        return pad_force(curve, compression_m);
     piece = std::min(piece, curve.pieces.size() - 1);
     while (piece > 0 && compression_m < curve.pieces[piece].from_m) --piece;
     while (piece + 1 < curve.pieces.size() && compression_m >= curve.pieces[piece + 1].from_m) ++piece;

@@ -37,7 +37,8 @@ PadCurve pad_curve(const PadParameters& pads);
 
 /// F(S), N.
 double pad_force(const PadCurve& curve, double compression_m);
-/// The same of compressions that change by little from call to call: `piece` is that of the last one, any number at first.
+/// The same of compressions that change by little from call to call: `piece` is that of the last one, any number at
+/// first.
 double pad_force(const PadCurve& curve, double compression_m, std::size_t& piece);
 /// K(S) = dF/dS, N/m; at the corners of the definition above the value towards smaller compression.
 double pad_stiffness(const PadCurve& curve, double compression_m);

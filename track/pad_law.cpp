@@ -50,7 +50,8 @@ lanes::Complex pad_shape(const PadParameters& pads, lanes::Real frequency_hz) {
     if (pads.causal) shape.im = shape.re * std::tan(0.5 * std::numbers::pi * pads.exponent);
     if (pads.loss_factor != 0.0) shape = shape * lanes::Complex(std::complex<double>(1.0, pads.loss_factor));
     if (!loss_replaces_dashpot(pads)) return shape;
-    return shape * lanes::power(frequency_hz / pads.loss_reference_hz, 2.0 / std::numbers::pi * std::atan(pads.loss_factor));
+    return shape *
+           lanes::power(frequency_hz / pads.loss_reference_hz, 2.0 / std::numbers::pi * std::atan(pads.loss_factor));
 }
 
 double pad_damping(const PadParameters& pads) {

@@ -25,8 +25,8 @@ lanes::Complex pad_shape(const PadParameters& pads, lanes::Real frequency_hz);
 /// The dashpot beside the spring, N·s/m: 0 where the causal loss law has taken its place.
 double pad_damping(const PadParameters& pads);
 
-/// K0 = ratio·[(1 − s)·K_secant + s·K(S)] of a pad whose static stiffness is K(S), N/m, cut at zero: with s > 1 the law would give
-/// unloaded pads a negative stiffness.
+/// K0 = ratio·[(1 − s)·K_secant + s·K(S)] of a pad whose static stiffness is K(S), N/m, cut at zero: with s > 1 the law
+/// would give unloaded pads a negative stiffness.
 double initial_dynamic_stiffness(const PadParameters& pads, double static_stiffness_n_per_m);
 
 }  // namespace railpem::track

@@ -14,8 +14,9 @@ using lanes::Real;
 namespace {
 
 constexpr double kSlowest_rad_per_s = 1e-6;  ///< below it losses that follow the frequency are none
-constexpr double kSeriesReach = 2.0;  ///< largest |λℓ| summed directly
-constexpr int kSeriesTerms = 14;      ///< (2·kSeriesReach)^28/28! < 1e-12 of the leading term even where p and q both count
+constexpr double kSeriesReach = 2.0;         ///< largest |λℓ| summed directly
+/// (2·kSeriesReach)^28/28! < 1e-12 of the leading term even where p and q both count
+constexpr int kSeriesTerms = 14;
 
 /// Entire functions C0…C3 of exp(Aℓ), each divided by its power of ℓ.
 struct SeriesSums {
@@ -44,8 +45,8 @@ SeriesSums sum_series(const Complex& p, const Complex& q) {
 RailElement short_element(const BeamCoefficients& beam, double length) {
     const Complex flexibility = lanes::reciprocal(beam.bending);  // 1/B
     const Complex& s = beam.shear_compliance;
-    const Complex rotary_ratio = flexibility * beam.rotary;      // r/B
-    const Complex shear_inertia = s * beam.inertia;              // sμ
+    const Complex rotary_ratio = flexibility * beam.rotary;  // r/B
+    const Complex shear_inertia = s * beam.inertia;          // sμ
     const Complex p = -(rotary_ratio + shear_inertia);
     const Complex q = beam.inertia * flexibility * (Complex(1.0) - s * beam.rotary);
     const double l2 = length * length;
@@ -55,11 +56,11 @@ RailElement short_element(const BeamCoefficients& beam, double length) {
     c.c3 = c.c3 * (l2 * length);
 
     // Blocks of exp(Aℓ): end displacements from start displacements (w, ψ) and from start forces (Q, M).
-    const Matrix2 from_displacement{c.c0 - c.c2 * shear_inertia, c.c1 + c.c3 * p,
-                                    c.c3 * beam.inertia * flexibility, c.c0 - c.c2 * rotary_ratio};
+    const Matrix2 from_displacement{c.c0 - c.c2 * shear_inertia, c.c1 + c.c3 * p, c.c3 * beam.inertia * flexibility,
+                                    c.c0 - c.c2 * rotary_ratio};
     const Complex moment = c.c2 * flexibility;
-    const Matrix2 from_force{c.c1 * s - c.c3 * (s * shear_inertia + flexibility), moment,
-                             -moment, (c.c1 - c.c3 * rotary_ratio) * flexibility};
+    const Matrix2 from_force{c.c1 * s - c.c3 * (s * shear_inertia + flexibility), moment, -moment,
+                             (c.c1 - c.c3 * rotary_ratio) * flexibility};
     const Matrix2 inverted = lanes::inverse(from_force);
     const Matrix2 zero{};
     return {inverted * from_displacement, zero - inverted};
@@ -98,7 +99,8 @@ BeamCoefficients beam_coefficients(const RailParameters& rail, const std::vector
     beam.rotary = Real{};
     beam.inertia = Complex(omega2 * rail.mass_kg_per_m, Real{});
     if (rail.beam == Beam::timoshenko) {
-        beam.shear_compliance = lanes::reciprocal(loss * (rail.shear_coefficient * rail.shear_modulus_pa * rail.cross_section_m2));
+        beam.shear_compliance =
+            lanes::reciprocal(loss * (rail.shear_coefficient * rail.shear_modulus_pa * rail.cross_section_m2));
         beam.rotary = omega2 * (rail.mass_kg_per_m * rail.second_moment_of_area_m4 / rail.cross_section_m2);
     }
     for (const RailDamper& damper : dampers) {
@@ -118,7 +120,9 @@ Complex beam_stiffness(const BeamCoefficients& beam, Real wavenumber_per_m) {
     return turning * k2 / (beam.shear_compliance * turning + 1.0) - beam.inertia;
 }
 
-Matrix2 mirrored(const Matrix2& block) { return {block.a, -block.b, -block.c, block.d}; }
+Matrix2 mirrored(const Matrix2& block) {
+    return {block.a, -block.b, -block.c, block.d};
+}
 
 RailElement rail_element(const BeamCoefficients& beam, double length_m) {
     const double wavenumber = largest_wavenumber(beam);

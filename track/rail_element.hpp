@@ -17,9 +17,11 @@ struct BeamCoefficients {
 };
 
 /// ω in rad/s, one per lane. Rail dampers add their dynamic mass to μ.
-BeamCoefficients beam_coefficients(const RailParameters& rail, const std::vector<RailDamper>& dampers, lanes::Real omega);
+BeamCoefficients beam_coefficients(const RailParameters& rail, const std::vector<RailDamper>& dampers,
+                                   lanes::Real omega);
 
-/// D(k) = Sk²(Bk² − r)/(Bk² + S − r) − μ with S = 1/s (Euler: Bk⁴ − μ): force per metre of the free rail for a unit wave e^{ikx}, N/m².
+/// D(k) = Sk²(Bk² − r)/(Bk² + S − r) − μ with S = 1/s (Euler: Bk⁴ − μ): force per metre of the free rail for a unit
+/// wave e^{ikx}, N/m².
 lanes::Complex beam_stiffness(const BeamCoefficients& beam, lanes::Real wavenumber_per_m);
 
 /// Dynamic stiffness of a stretch between nodes 0 and 1 with displacements (w, ψ), ψ the rotation of the section:

@@ -35,8 +35,8 @@ Elimination eliminate(const Matrix2& behind, const RailElement& stretch) {
     return step;
 }
 
-/// What the uniform end adds to a node when every pad, out to infinity, is loaded with its own stiffness: displacement w of
-/// the uniform state, and the force that the end then exerts.
+/// What the uniform end adds to a node when every pad, out to infinity, is loaded with its own stiffness: displacement
+/// w of the uniform state, and the force that the end then exerts.
 Vector2 end_load(const RailElement& bay, const Complex& support, const Matrix2& stiffness, bool towards_front) {
     const Complex uniform = support / ((bay.near.a + bay.far.a) * 2.0 + support);
     const Complex force = (stiffness.a - bay.near.a - bay.far.a) * uniform;
@@ -44,13 +44,14 @@ Vector2 end_load(const RailElement& bay, const Complex& support, const Matrix2& 
     return {force, towards_front ? moment : -moment};
 }
 
-/// Receptances by selected inversion: the inverse's diagonal blocks from the front, products of `back` between the points.
+/// Receptances by selected inversion: the inverse's diagonal blocks from the front, products of `back` between the
+/// points.
 void collect(const ExactRail& rail, const Matrix2& front, const Vector2& front_load, ExactRailWorkspace& work) {
     RailReceptance& result = work.result;
     const int last = static_cast<int>(rail.nodes.size()) - 1;
     const std::size_t points = static_cast<std::size_t>(rail.points);
-    Matrix2 diagonal = front;               // block (j, j) of the inverse
-    Vector2 pad_sum = front * front_load;   // displacement in the pad-sum problem
+    Matrix2 diagonal = front;              // block (j, j) of the inverse
+    Vector2 pad_sum = front * front_load;  // displacement in the pad-sum problem
     // Points met so far and the first row of Π back · (block (k, k) of the inverse), k the point's node.
     std::vector<int>& met = work.met;
     std::vector<Vector2>& row = work.row;
@@ -82,7 +83,9 @@ const RailReceptance& rail_receptance(const ExactRail& rail, Real omega, ExactRa
     for (std::size_t i = 0; i < rail.lengths_m.size(); ++i) work.elements[i] = rail_element(beam, rail.lengths_m[i]);
     const SupportLaw law(rail.pads, rail.support, omega);
     for (std::size_t j = 0; j < rail.nodes.size(); ++j)
-        work.supports[j] = rail.nodes[j].supported ? law.stiffness(rail.nodes[j].pad_stiffness_n_per_m, rail.nodes[j].pad_scale) : Complex{};
+        work.supports[j] = rail.nodes[j].supported
+                               ? law.stiffness(rail.nodes[j].pad_stiffness_n_per_m, rail.nodes[j].pad_scale)
+                               : Complex{};
 
     const Complex uniform = law.stiffness(rail.uniform_pad_stiffness_n_per_m);
     const HalfTrack ahead = uniform_half_track(rail, omega, work.elements[0], uniform);

@@ -25,14 +25,16 @@ namespace {
 
 using Phasor = std::complex<double>;
 
-constexpr int kCurvePoints = 300;      ///< of E
-constexpr double kBeyond = 3.0;        ///< times the load that could come on one pad, where the table of E ends
-constexpr double kSoftest = 1e-2;      ///< of K_secant: s > 1 takes all stiffness away from pads that carry little
-constexpr int kStepsPerBay = 12;      ///< three per wave of the fourth order
-constexpr double kRun_m = 40.0;        ///< before and behind the outermost wheels
-constexpr double kStandingRun_m = 12.0;  ///< of a single load at rest, which sends no waves: soft pads let the rail sink to 1/e in 1.5 m
-constexpr int kAliases = 8;            ///< terms of Σ_m on each side; they fall with m⁻⁴
-constexpr double kSoftBed_n_per_m2 = 1.0;  ///< under the standing rail, where D(0) would vanish; 1e-8 of what the pads give
+constexpr int kCurvePoints = 300;  ///< of E
+constexpr double kBeyond = 3.0;    ///< times the load that could come on one pad, where the table of E ends
+constexpr double kSoftest = 1e-2;  ///< of K_secant: s > 1 takes all stiffness away from pads that carry little
+constexpr int kStepsPerBay = 12;   ///< three per wave of the fourth order
+constexpr double kRun_m = 40.0;    ///< before and behind the outermost wheels
+/// of a single load at rest, which sends no waves: soft pads let the rail sink to 1/e in 1.5 m
+constexpr double kStandingRun_m = 12.0;
+constexpr int kAliases = 8;  ///< terms of Σ_m on each side; they fall with m⁻⁴
+/// under the standing rail, where D(0) would vanish; 1e-8 of what the pads give
+constexpr double kSoftBed_n_per_m2 = 1.0;
 constexpr double kSettled_hz = 0.5;
 constexpr double kTowardsStiffest = 0.25;
 constexpr double kAccuracy = 1e-10;
@@ -56,7 +58,8 @@ Grid grid_of(const TrackParameters& track, const std::vector<double>& wheels_m, 
 
 Real wavenumbers_from(const Grid& grid, std::size_t first) {
     Real k;
-    for (int lane = 0; lane < lanes::width; ++lane) k[lane] = static_cast<double>(first + static_cast<std::size_t>(lane)) * grid.wavenumber_step();
+    for (int lane = 0; lane < lanes::width; ++lane)
+        k[lane] = static_cast<double>(first + static_cast<std::size_t>(lane)) * grid.wavenumber_step();
     return k;
 }
 
@@ -71,7 +74,8 @@ struct Memory {
 };
 
 Memory memory_at(const PadParameters& pads, Real omega) {
-    const Real settled = lanes::broadcast(kSettled_hz), frequency = omega / (2.0 * std::numbers::pi), x = frequency / settled, x2 = x * x;
+    const Real settled = lanes::broadcast(kSettled_hz), frequency = omega / (2.0 * std::numbers::pi),
+               x = frequency / settled, x2 = x * x;
     const Complex own = pad_shape(pads, at_least(frequency, kSettled_hz)), relaxing(x2 / (1.0 + x2), x / (1.0 + x2));
     Memory memory{own, {Real{}, omega * pad_damping(pads)}};
     memory.shape.re = x < 1.0 ? own.re - own.im + 2.0 * own.im * relaxing.re : own.re;
@@ -83,7 +87,9 @@ Memory memory_at(const PadParameters& pads, Real omega) {
 
 /// The linear part of the equation of one pad, at every κ ≥ 0.
 struct Equation {
-    std::vector<Phasor> load;     ///< D(−κ, κv) times what the loads alone move, e^{iκ·first}/step: as a discrete transform; of constant ones Σ P·e^{iκ(a + first)}/step
+    /// D(−κ, κv) times what the loads alone move, e^{iκ·first}/step: as a discrete transform; of constant ones Σ
+    /// P·e^{iκ(a + first)}/step
+    std::vector<Phasor> load;
     std::vector<Phasor> free;     ///< D(−κ, κv)
     std::vector<Phasor> carried;  ///< D(−κ, κv)·(Σ' 1/(L·D) + R) + 1/L
     std::vector<Phasor> shape, dashpot;
@@ -97,24 +103,28 @@ BeamCoefficients still_beam(const TrackParameters& track) {
     return beam;
 }
 
-Equation equation_of(const TrackParameters& track, const std::vector<double>& wheels_m, double wheel_load_n, double speed, bool standing, const Grid& grid,
-                     const std::vector<Phasor>& swelling) {
+Equation equation_of(const TrackParameters& track, const std::vector<double>& wheels_m, double wheel_load_n,
+                     double speed, bool standing, const Grid& grid, const std::vector<Phasor>& swelling) {
     Equation equation;
     const double bay = 2.0 * std::numbers::pi / track.spacing_m;
     const BeamCoefficients still = still_beam(track);
     std::vector<Phasor> turned(wheels_m.size(), 1.0), turn;  // e^{iκ(a + first)}
-    for (const double wheel : wheels_m) turn.push_back(std::polar(1.0, grid.wavenumber_step() * (wheel + grid.first_m())));
+    for (const double wheel : wheels_m)
+        turn.push_back(std::polar(1.0, grid.wavenumber_step() * (wheel + grid.first_m())));
     for (std::size_t first = 0; first < grid.wavenumbers(); first += lanes::width) {
         const Real k = wavenumbers_from(grid, first), omega = k * (standing ? 0.0 : speed);
         const BeamCoefficients beam = standing ? still : beam_coefficients(track.rail, track.rail_dampers, omega);
         const Complex free = beam_stiffness(beam, -k);
         Complex aliased;
         for (int m = 1; m <= kAliases; ++m)
-            aliased += lanes::reciprocal(beam_stiffness(beam, m * bay - k)) + lanes::reciprocal(beam_stiffness(beam, m * bay + k));
-        const Complex below = standing ? Complex(static_support_compliance(track.support)) : support_receptance(track.support, omega);
+            aliased += lanes::reciprocal(beam_stiffness(beam, m * bay - k)) +
+                       lanes::reciprocal(beam_stiffness(beam, m * bay + k));
+        const Complex below =
+            standing ? Complex(static_support_compliance(track.support)) : support_receptance(track.support, omega);
         const Complex carried = free * (aliased * (1.0 / track.spacing_m) + below) + 1.0 / track.spacing_m;
         const Memory memory = standing ? Memory{Complex(1.0), Complex()} : memory_at(track.pads, omega);
-        const Complex ahead = swelling.empty() ? Complex() : free / beam_stiffness(beam, bay - k), behind = swelling.empty() ? Complex() : free / beam_stiffness(beam, bay + k);
+        const Complex ahead = swelling.empty() ? Complex() : free / beam_stiffness(beam, bay - k),
+                      behind = swelling.empty() ? Complex() : free / beam_stiffness(beam, bay + k);
         for (int lane = 0; lane < lanes::width && first + static_cast<std::size_t>(lane) < grid.wavenumbers(); ++lane) {
             Phasor load = 0.0;
             for (std::size_t wheel = 0; wheel < wheels_m.size(); ++wheel) {
@@ -143,9 +153,12 @@ class ElasticLaw {
         curve_ = pad_curve(passing.pads);
         rest_m_ = unloaded_seat(seat_law(passing), rest_load_n(passing)).compression_m;
         rest_n_ = pad_force(curve_, rest_m_);
-        // No pad carries more than the rest and one wheel, most carry little: between the softest and the stiffest tangent, where both converge fastest together (of 0, 0.1, 0.25, 0.5 and 0.75 a quarter took fewest rounds on the paper's track at 22 m/s: 14 at strength 1.5, half-way 19, at 0 18).
+        // No pad carries more than the rest and one wheel, most carry little: between the softest and the stiffest
+        // tangent, where both converge fastest together (of 0, 0.1, 0.25, 0.5 and 0.75 a quarter took fewest rounds on
+        // the paper's track at 22 m/s: 14 at strength 1.5, half-way 19, at 0 18).
         const double softest = pad_stiffness(curve_, rest_m_);
-        reference_ = softest + kTowardsStiffest * (pad_stiffness(curve_, pad_compression(curve_, rest_n_ + wheel_load_n)) - softest);
+        reference_ = softest + kTowardsStiffest *
+                                   (pad_stiffness(curve_, pad_compression(curve_, rest_n_ + wheel_load_n)) - softest);
         first_slope_ = pad_stiffness(curve_, std::nextafter(curve_.free_compression_m, 1.0));
     }
     double reference() const { return reference_; }
@@ -161,8 +174,10 @@ class ElasticLaw {
     double rest_m_ = 0.0, rest_n_ = 0.0, reference_ = 0.0, first_slope_ = 0.0;
 };
 
-/// x̂ = (load − carried·g·N̂)/pad and N = E(x) − E_rest − K·x, in turn, from the history's x on; returns N̂ and leaves x in the history.
-std::vector<Phasor> settle(const Equation& equation, const std::vector<Phasor>& pad, const ElasticLaw& law, double largest_load, PadHistory& history) {
+/// x̂ = (load − carried·g·N̂)/pad and N = E(x) − E_rest − K·x, in turn, from the history's x on; returns N̂ and leaves x
+/// in the history.
+std::vector<Phasor> settle(const Equation& equation, const std::vector<Phasor>& pad, const ElasticLaw& law,
+                           double largest_load, PadHistory& history) {
     Eigen::FFT<double> transform;
     transform.SetFlag(Eigen::FFT<double>::HalfSpectrum);
     const long size = static_cast<long>(history.compression_m.size());
@@ -174,7 +189,8 @@ std::vector<Phasor> settle(const Equation& equation, const std::vector<Phasor>& 
         std::size_t piece = 0;
         for (long i = 0; i < size; ++i) own[static_cast<std::size_t>(i)] = law.remainder(x(i), piece);
         transform.fwd(remainder, own);
-        for (std::size_t n = 0; n < pad.size(); ++n) moved[n] = (equation.load[n] - equation.carried[n] * equation.shape[n] * remainder[n]) / pad[n];
+        for (std::size_t n = 0; n < pad.size(); ++n)
+            moved[n] = (equation.load[n] - equation.carried[n] * equation.shape[n] * remainder[n]) / pad[n];
         transform.inv(own, moved);
         const Eigen::VectorXd change = Eigen::Map<const Eigen::VectorXd>(own.data(), size) - x;
         const double largest = change.lpNorm<Eigen::Infinity>();
@@ -185,7 +201,8 @@ std::vector<Phasor> settle(const Equation& equation, const std::vector<Phasor>& 
         }
         x += mixing.step(x, change);
     }
-    throw parameters::ParameterError("track.pads", "the pads find no equilibrium under rolling wheels", "a static curve that carries the wheel load");
+    throw parameters::ParameterError("track.pads", "the pads find no equilibrium under rolling wheels",
+                                     "a static curve that carries the wheel load");
 }
 
 }  // namespace
@@ -201,7 +218,8 @@ TrackParameters passing_track(const TrackParameters& track, double wheel_load_n)
     double compression = 0.0, previous = 0.0;
     for (int i = 0; i <= kCurvePoints; ++i) {
         const double force = highest * i / kCurvePoints;
-        const double stiffness = initial_dynamic_stiffness(track.pads, pad_stiffness(curve, pad_compression(curve, std::max(force, 1e-3 * highest))));
+        const double stiffness = initial_dynamic_stiffness(
+            track.pads, pad_stiffness(curve, pad_compression(curve, std::max(force, 1e-3 * highest))));
         const double compliance = 1.0 / std::max(stiffness, kSoftest * track.pads.static_stiffness_n_per_m);
         if (i > 0) compression += 0.5 * (compliance + previous) * highest / kCurvePoints;
         previous = compliance;
@@ -216,17 +234,27 @@ TrackParameters passing_track(const TrackParameters& track, double wheel_load_n)
 namespace {
 
 /// pad_history() on a grid.
-PadHistory history_on(const Grid& grid, const TrackParameters& track, const std::vector<double>& wheels_m, double wheel_load_n, double speed_m_per_s, bool standing, const std::vector<Phasor>& swelling_n,
+PadHistory history_on(const Grid& grid, const TrackParameters& track, const std::vector<double>& wheels_m,
+                      double wheel_load_n, double speed_m_per_s, bool standing, const std::vector<Phasor>& swelling_n,
                       const PadHistory* near) {
     const Equation equation = equation_of(track, wheels_m, wheel_load_n, speed_m_per_s, standing, grid, swelling_n);
-    PadHistory history{.first_m = grid.first_m(), .step_m = grid.step_m, .compression_m = {}, .force_n_m = {}, .wavenumber_step_per_m = grid.wavenumber_step()};
+    PadHistory history{.first_m = grid.first_m(),
+                       .step_m = grid.step_m,
+                       .compression_m = {},
+                       .force_n_m = {},
+                       .wavenumber_step_per_m = grid.wavenumber_step()};
     const bool linear = track.pads.preload_strength == 0.0;
-    const std::optional<ElasticLaw> law = linear ? std::nullopt : std::optional<ElasticLaw>(std::in_place, track, wheel_load_n);
-    const double reference = linear ? initial_dynamic_stiffness(track.pads, track.pads.static_stiffness_n_per_m) : law->reference();
+    const std::optional<ElasticLaw> law =
+        linear ? std::nullopt : std::optional<ElasticLaw>(std::in_place, track, wheel_load_n);
+    const double reference =
+        linear ? initial_dynamic_stiffness(track.pads, track.pads.static_stiffness_n_per_m) : law->reference();
     std::vector<Phasor> pad(equation.load.size()), remainder;
-    for (std::size_t n = 0; n < pad.size(); ++n) pad[n] = equation.free[n] + equation.carried[n] * (equation.shape[n] * reference + equation.dashpot[n]);
+    for (std::size_t n = 0; n < pad.size(); ++n)
+        pad[n] = equation.free[n] + equation.carried[n] * (equation.shape[n] * reference + equation.dashpot[n]);
     if (!linear) {
-        history.compression_m = near && near->compression_m.size() == grid.size && near->step_m == grid.step_m ? near->compression_m : std::vector<double>(grid.size, 0.0);
+        history.compression_m = near && near->compression_m.size() == grid.size && near->step_m == grid.step_m
+                                    ? near->compression_m
+                                    : std::vector<double>(grid.size, 0.0);
         remainder = settle(equation, pad, *law, wheel_load_n, history);
     }
     for (std::size_t n = 0; n < pad.size(); ++n) {
@@ -240,13 +268,16 @@ PadHistory history_on(const Grid& grid, const TrackParameters& track, const std:
 
 }  // namespace
 
-PadHistory pad_history(const TrackParameters& track, const std::vector<double>& wheels_m, double wheel_load_n, double speed_m_per_s, bool standing,
-                       const std::vector<Phasor>& swelling_n, const PadHistory* near) {
+PadHistory pad_history(const TrackParameters& track, const std::vector<double>& wheels_m, double wheel_load_n,
+                       double speed_m_per_s, bool standing, const std::vector<Phasor>& swelling_n,
+                       const PadHistory* near) {
     assert(speed_m_per_s > 0.0 || standing);
-    return history_on(grid_of(track, wheels_m, kRun_m), track, wheels_m, wheel_load_n, speed_m_per_s, standing, swelling_n, near);
+    return history_on(grid_of(track, wheels_m, kRun_m), track, wheels_m, wheel_load_n, speed_m_per_s, standing,
+                      swelling_n, near);
 }
 
-std::vector<Phasor> rolling_deflection(const TrackParameters& track, const std::vector<double>& wheels_m, double speed, const PadHistory& history, int orders, bool standing) {
+std::vector<Phasor> rolling_deflection(const TrackParameters& track, const std::vector<double>& wheels_m, double speed,
+                                       const PadHistory& history, int orders, bool standing) {
     const BeamCoefficients still = still_beam(track);
     const double bay = 2.0 * std::numbers::pi / track.spacing_m, step = history.wavenumber_step_per_m;
     const std::size_t wheels = wheels_m.size();
@@ -260,21 +291,26 @@ std::vector<Phasor> rolling_deflection(const TrackParameters& track, const std::
             const std::size_t n = first + static_cast<std::size_t>(lane);
             k[lane] = static_cast<double>(n) * step;
             if (n < history.force_n_m.size()) force.set(lane, history.force_n_m[n] * (n == 0 ? 0.5 : 1.0));
-            for (std::size_t wheel = 0; wheel < wheels; ++wheel) phase[wheel].set(lane, turned[wheel]), turned[wheel] *= turn[wheel];
+            for (std::size_t wheel = 0; wheel < wheels; ++wheel)
+                phase[wheel].set(lane, turned[wheel]), turned[wheel] *= turn[wheel];
         }
         const BeamCoefficients beam = standing ? still : beam_coefficients(track.rail, track.rail_dampers, k * speed);
         for (int m = 1; m <= orders; ++m) {
             // Of −κ the conjugate: D(2πm/L + κ, −κv) = conj D(2πm/L + κ, κv).
-            const Complex ahead = force / beam_stiffness(beam, m * bay - k), behind = force / beam_stiffness(beam, m * bay + k);
+            const Complex ahead = force / beam_stiffness(beam, m * bay - k),
+                          behind = force / beam_stiffness(beam, m * bay + k);
             for (std::size_t wheel = 0; wheel < wheels; ++wheel) {
-                const Complex front = ahead * phase[wheel], rear = behind * phase[wheel], sum(front.re + rear.re, front.im - rear.im);
-                for (int lane = 0; lane < lanes::width; ++lane) result[static_cast<std::size_t>(m - 1) * wheels + wheel] += sum[lane];
+                const Complex front = ahead * phase[wheel], rear = behind * phase[wheel],
+                              sum(front.re + rear.re, front.im - rear.im);
+                for (int lane = 0; lane < lanes::width; ++lane)
+                    result[static_cast<std::size_t>(m - 1) * wheels + wheel] += sum[lane];
             }
         }
     }
     for (int m = 1; m <= orders; ++m)
         for (std::size_t wheel = 0; wheel < wheels; ++wheel)
-            result[static_cast<std::size_t>(m - 1) * wheels + wheel] *= std::polar(-step / (2.0 * std::numbers::pi * track.spacing_m), m * bay * wheels_m[wheel]);
+            result[static_cast<std::size_t>(m - 1) * wheels + wheel] *=
+                std::polar(-step / (2.0 * std::numbers::pi * track.spacing_m), m * bay * wheels_m[wheel]);
     return result;
 }
 
@@ -287,7 +323,8 @@ LoadedDeflection loaded_deflection(const TrackParameters& track, double wheel_lo
     for (int i = 0; i < 3; ++i) {
         const PadHistory less = std::move(history);
         history = history_on(grid, track, {0.0}, wheel_load_n + (i - 1) * step, 0.0, true, {}, &less);
-        w[static_cast<std::size_t>(i)] = history.compression_m[history.compression_m.size() / 2];  // s = 0: the wheel over the pad
+        // s = 0: the wheel over the pad
+        w[static_cast<std::size_t>(i)] = history.compression_m[history.compression_m.size() / 2];
     }
     return {(w[2] - w[0]) / (2.0 * step), (w[2] - 2.0 * w[1] + w[0]) / (step * step)};
 }

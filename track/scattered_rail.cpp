@@ -33,17 +33,20 @@ struct Row {
         if (!first) cross_bay(bay, behind);
         const ScatteredRail::Seat& seat = rail.seats[j];
         if (!seat.differs) return {};
-        return scatter(excited, change.numerator(seat.pad_stiffness_n_per_m, seat.scale), change.denominator(seat.pad_stiffness_n_per_m, seat.scale),
-                       behind.e[0] + behind.e[1] + missing, behind);
+        return scatter(excited, change.numerator(seat.pad_stiffness_n_per_m, seat.scale),
+                       change.denominator(seat.pad_stiffness_n_per_m, seat.scale), behind.e[0] + behind.e[1] + missing,
+                       behind);
     }
 };
 
 using Sides = std::array<Behind, kMostPoints>;
 
-/// Behind and ahead of the bay of every point. The two sweeps are independent: one waits for its division while the other computes.
+/// Behind and ahead of the bay of every point. The two sweeps are independent: one waits for its division while the
+/// other computes.
 void sweep(const Row& row, std::vector<WavePair>& strength, Sides& behind_of, Sides& ahead_of) {
     const std::vector<PlacedPoint>& points = row.rail.placed.points;
-    const std::size_t seats = row.rail.seats.size(), from_rear = points.back().seat + 1, from_front = seats - 1 - points.front().seat;
+    const std::size_t seats = row.rail.seats.size(), from_rear = points.back().seat + 1,
+                      from_front = seats - 1 - points.front().seat;
     strength.resize(seats);
     Behind behind{}, ahead{};
     std::size_t next_behind = 0, next_ahead = points.size();
@@ -56,9 +59,13 @@ void sweep(const Row& row, std::vector<WavePair>& strength, Sides& behind_of, Si
     }
 }
 
-Complex dot(const WavePair& x, const WavePair& y) { return x[0] * y[0] + x[1] * y[1]; }
+Complex dot(const WavePair& x, const WavePair& y) {
+    return x[0] * y[0] + x[1] * y[1];
+}
 
-WavePair times(const Behind& side, const WavePair& x) { return {side.s11 * x[0] + side.s12 * x[1], side.s12 * x[0] + side.s22 * x[1]}; }
+WavePair times(const Behind& side, const WavePair& x) {
+    return {side.s11 * x[0] + side.s12 * x[1], side.s12 * x[0] + side.s22 * x[1]};
+}
 
 /// Waves about a point under a unit force there.
 struct Driven {
@@ -68,7 +75,8 @@ struct Driven {
 };
 
 /// `over`: Λq⁻¹.
-Driven drive(const BayPoint& point, const WavePair& over, const Behind& behind, const Behind& ahead, const Complex& uniform) {
+Driven drive(const BayPoint& point, const WavePair& over, const Behind& behind, const Behind& ahead,
+             const Complex& uniform) {
     const Matrix2 s{over[0] * behind.s11, over[0] * behind.s12, over[1] * behind.s12, over[1] * behind.s22};
     const Matrix2 q{over[0] * ahead.s11, over[0] * ahead.s12, over[1] * ahead.s12, over[1] * ahead.s22};
     Matrix2 round = Matrix2{} - q * s;
@@ -84,7 +92,8 @@ Driven drive(const BayPoint& point, const WavePair& over, const Behind& behind, 
     Driven driven;
     WavePair alpha, beta;
     solve(point.from_rear, point.from_front, driven.backward, alpha);
-    driven.own = point.own + dot(point.from_rear, times(behind, driven.backward)) + dot(point.from_front, times(ahead, alpha));
+    driven.own =
+        point.own + dot(point.from_rear, times(behind, driven.backward)) + dot(point.from_front, times(ahead, alpha));
     solve({over[0] * ahead.e[0], over[1] * ahead.e[1]}, {over[0] * behind.e[0], over[1] * behind.e[1]}, beta, alpha);
     const WavePair a = times(behind, beta), b = times(ahead, alpha);
     driven.settled = uniform * point.lifted + dot(point.from_rear, {a[0] + behind.e[0], a[1] + behind.e[1]}) +
@@ -92,8 +101,10 @@ Driven drive(const BayPoint& point, const WavePair& over, const Behind& behind, 
     return driven;
 }
 
-/// Backward waves of `count` forces further in front, from just ahead of seat `from` to just behind seat `to`, both crossed.
-void travel_back(const BayFactors& bay, const std::vector<WavePair>& strength, std::size_t from, std::size_t to, std::size_t count, std::array<WavePair, kMostPoints>& beta) {
+/// Backward waves of `count` forces further in front, from just ahead of seat `from` to just behind seat `to`, both
+/// crossed.
+void travel_back(const BayFactors& bay, const std::vector<WavePair>& strength, std::size_t from, std::size_t to,
+                 std::size_t count, std::array<WavePair, kMostPoints>& beta) {
     for (std::size_t j = from;; --j) {
         for (std::size_t k = 0; k < count; ++k) {
             const Complex force = dot(strength[j], beta[k]);
@@ -107,7 +118,8 @@ void travel_back(const BayFactors& bay, const std::vector<WavePair>& strength, s
 std::array<BayPoint, kMostPoints> bay_points(const PlacedPoints& placed, const BlochWaves& waves) {
     std::array<BayPoint, kMostPoints> points;
     for (std::size_t k = 0; k < placed.points.size(); ++k) {
-        // Wheels that stand alike in their bays, as they do where the distances are whole numbers of bays, share the shape.
+        // Wheels that stand alike in their bays, as they do where the distances are whole numbers of bays, share the
+        // shape.
         const bool alike = k > 0 && std::abs(placed.points[k].ahead_m - placed.points[k - 1].ahead_m) < 1e-12;
         points[k] = alike ? points[k - 1] : bay_point(waves, placed.points[k].ahead_m);
     }
@@ -123,7 +135,8 @@ std::optional<ScatteredRail> scattered_rail(const ExactRail& rail, double tolera
     double seat_position = 0.0;
     for (const RailNode& node : rail.nodes) {
         if (node.supported) {
-            const bool differs = node.pad_scale != 1.0 || std::abs(node.pad_stiffness_n_per_m - uniform) > tolerance * uniform;
+            const bool differs =
+                node.pad_scale != 1.0 || std::abs(node.pad_stiffness_n_per_m - uniform) > tolerance * uniform;
             scattered.seats.push_back({node.pad_stiffness_n_per_m, node.pad_scale, differs});
             seat_position = node.position_m;
             any |= differs;
@@ -137,14 +150,16 @@ std::optional<ScatteredRail> scattered_rail(const ExactRail& rail, double tolera
         scattered.placed.order.push_back(static_cast<std::size_t>(node.point));
     }
     // A seat has to stand ahead of the foremost point.
-    if (!any || scattered.placed.points.empty() || scattered.placed.points.back().seat + 1 >= scattered.seats.size()) return std::nullopt;
+    if (!any || scattered.placed.points.empty() || scattered.placed.points.back().seat + 1 >= scattered.seats.size())
+        return std::nullopt;
     return scattered;
 }
 
-bool scattered_receptance(const ScatteredRail& rail, const BlochWaves& waves, const SupportLaw& law, double uniform_pad_stiffness_n_per_m,
-                          ScatteredWorkspace& work, RailReceptance& result) {
+bool scattered_receptance(const ScatteredRail& rail, const BlochWaves& waves, const SupportLaw& law,
+                          double uniform_pad_stiffness_n_per_m, ScatteredWorkspace& work, RailReceptance& result) {
     if (!apart(waves) || !both_excited(waves.excited)) return false;
-    const Row row{rail, waves.excited, BayFactors(waves.factor), law.change_from(uniform_pad_stiffness_n_per_m), waves.settled + (-1.0)};
+    const Row row{rail, waves.excited, BayFactors(waves.factor), law.change_from(uniform_pad_stiffness_n_per_m),
+                  waves.settled + (-1.0)};
     Sides behind_of, ahead_of;
     sweep(row, work.strength, behind_of, ahead_of);
     const std::array<BayPoint, kMostPoints> points = bay_points(rail.placed, waves);
@@ -166,7 +181,9 @@ bool scattered_receptance(const ScatteredRail& rail, const BlochWaves& waves, co
         beta[met] = driven.backward;
         result.between[order[p] * count + order[p]] = driven.own;
         result.trackbed[order[p]] = driven.settled;
-        if (p > 0) travel_back(row.bay, work.strength, rail.placed.points[p].seat, rail.placed.points[p - 1].seat + 1, met + 1, beta);
+        if (p > 0)
+            travel_back(row.bay, work.strength, rail.placed.points[p].seat, rail.placed.points[p - 1].seat + 1, met + 1,
+                        beta);
     }
     return true;
 }

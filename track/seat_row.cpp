@@ -7,7 +7,8 @@
 
 namespace railpem::track {
 
-std::vector<Seat> seat_row(const TrackParameters& track, const std::vector<double>& points_m, const StaticEquilibrium& equilibrium) {
+std::vector<Seat> seat_row(const TrackParameters& track, const std::vector<double>& points_m,
+                           const StaticEquilibrium& equilibrium) {
     const double rearmost = *std::min_element(points_m.begin(), points_m.end());
     const double foremost = *std::max_element(points_m.begin(), points_m.end());
     const std::size_t count = equilibrium.position_m.size();
@@ -23,7 +24,8 @@ std::vector<Seat> seat_row(const TrackParameters& track, const std::vector<doubl
     const double after = foremost - equilibrium.position_m.back();
     for (int n = before < 0.0 ? 0 : static_cast<int>(std::ceil(before / track.spacing_m)) + 1; n > 0; --n)
         add_seat(equilibrium.position_m.front() - n * track.spacing_m, uniform);
-    for (std::size_t j = 0; j < count; ++j) add_seat(equilibrium.position_m[j], equilibrium.dynamic_stiffness_n_per_m[j]);
+    for (std::size_t j = 0; j < count; ++j)
+        add_seat(equilibrium.position_m[j], equilibrium.dynamic_stiffness_n_per_m[j]);
     for (int n = 1; after > 0.0 && n <= static_cast<int>(std::ceil(after / track.spacing_m)) + 1; ++n)
         add_seat(equilibrium.position_m.back() + n * track.spacing_m, uniform);
     return seats;

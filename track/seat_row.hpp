@@ -16,8 +16,9 @@ struct Seat {
     double scale = 1.0;                  ///< what a failed fastener has left
 };
 
-/// All seats of the equilibrium, from the rear to the front, and as many unloaded ones beyond them as it takes to have points_m
-/// between seats.
-std::vector<Seat> seat_row(const TrackParameters& track, const std::vector<double>& points_m, const StaticEquilibrium& equilibrium);
+/// All seats of the equilibrium, from the rear to the front, and as many unloaded ones beyond them as it takes to have
+/// points_m between seats.
+std::vector<Seat> seat_row(const TrackParameters& track, const std::vector<double>& points_m,
+                           const StaticEquilibrium& equilibrium);
 
 }  // namespace railpem::track

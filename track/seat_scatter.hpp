@@ -15,7 +15,11 @@ struct Behind {
 struct BayFactors {
     lanes::Complex first, second, first_first, first_second, second_second;
     explicit BayFactors(const WavePair& factor)
-        : first(factor[0]), second(factor[1]), first_first(first * first), first_second(first * second), second_second(second * second) {}
+        : first(factor[0]),
+          second(factor[1]),
+          first_first(first * first),
+          first_second(first * second),
+          second_second(second * second) {}
 };
 
 /// Λ·S·Λ; e stays.
@@ -36,10 +40,11 @@ struct Scatter {
     lanes::Complex load;
 };
 
-/// S − σ·u·uᵀ with u = q + S·1, σ = ΔK/(1 + ΔK·1ᵀu), ΔK = numerator/denominator; e stays, and `load` is σ, to be multiplied by what
-/// would move the seat if ΔK did not hold it.
-inline Scatter scatter_unloaded(const WavePair& excited, const lanes::Complex& numerator, const lanes::Complex& denominator, Behind& behind,
-                                lanes::Complex& u1, lanes::Complex& u2) {
+/// S − σ·u·uᵀ with u = q + S·1, σ = ΔK/(1 + ΔK·1ᵀu), ΔK = numerator/denominator; e stays, and `load` is σ, to be
+/// multiplied by what would move the seat if ΔK did not hold it.
+inline Scatter scatter_unloaded(const WavePair& excited, const lanes::Complex& numerator,
+                                const lanes::Complex& denominator, Behind& behind, lanes::Complex& u1,
+                                lanes::Complex& u2) {
     u1 = excited[0] + behind.s11 + behind.s12;
     u2 = excited[1] + behind.s12 + behind.s22;
     const lanes::Complex sigma = numerator / (numerator * (u1 + u2) + denominator);
@@ -51,8 +56,8 @@ inline Scatter scatter_unloaded(const WavePair& excited, const lanes::Complex& n
 }
 
 /// The same with `moving` = 1ᵀe plus whatever else moves the rail there.
-inline Scatter scatter(const WavePair& excited, const lanes::Complex& numerator, const lanes::Complex& denominator, const lanes::Complex& moving,
-                       Behind& behind) {
+inline Scatter scatter(const WavePair& excited, const lanes::Complex& numerator, const lanes::Complex& denominator,
+                       const lanes::Complex& moving, Behind& behind) {
     lanes::Complex u1, u2;
     Scatter seat = scatter_unloaded(excited, numerator, denominator, behind, u1, u2);
     seat.load = seat.load * moving;

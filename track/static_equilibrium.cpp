@@ -18,8 +18,8 @@ using parameters::ParameterError;
 
 namespace {
 
-/// Where a deflection leads: the loads that nothing balances yet, N and N·m, the negative gradient of the potential energy; and the
-/// tangents of the seats. Both at once, for a seat on a support costs an iteration of its own.
+/// Where a deflection leads: the loads that nothing balances yet, N and N·m, the negative gradient of the potential
+/// energy; and the tangents of the seats. Both at once, for a seat on a support costs an iteration of its own.
 struct Unbalanced {
     VectorXd load;
     std::vector<double> tangent_n_per_m;
@@ -36,9 +36,9 @@ Unbalanced unbalanced(const LoadedRail& rail, const VectorXd& u) {
     return result;
 }
 
-/// Goes along a Newton step, as far as is good. F(S) never falls, so the potential energy is convex and its slope along the step,
-/// −r·d, rises steadily: a step that ends before the minimum is taken as it is, one that overshoots is halved until the
-/// slope behind the minimum is at most half of what it was at the start (Crisfield 1991, section 9.2).
+/// Goes along a Newton step, as far as is good. F(S) never falls, so the potential energy is convex and its slope along
+/// the step, −r·d, rises steadily: a step that ends before the minimum is taken as it is, one that overshoots is halved
+/// until the slope behind the minimum is at most half of what it was at the start (Crisfield 1991, section 9.2).
 void advance(const LoadedRail& rail, const VectorXd& step, VectorXd& u, Unbalanced& state) {
     const double at_start = state.load.dot(step);
     const VectorXd start = u;
@@ -73,8 +73,10 @@ struct NewtonResult {
                          "fewer failed fasteners, stiffer pads or a smaller wheel load");
 }
 
-/// Solves unbalanced(u) = 0, starting from `start` or, if that is empty, from the unloaded track. The tangent is positive definite as long as anything carries.
-NewtonResult newton(const LoadedRail& rail, const std::vector<double>& start, double rest_deflection_m, double spacing_m) {
+/// Solves unbalanced(u) = 0, starting from `start` or, if that is empty, from the unloaded track. The tangent is
+/// positive definite as long as anything carries.
+NewtonResult newton(const LoadedRail& rail, const std::vector<double>& start, double rest_deflection_m,
+                    double spacing_m) {
     constexpr int most_iterations =
         200;  // 5 to 10 are usual; a rail that lifts off and settles again may need some tens
     // Rounding in the beam's own forces, about EI·u/h³·1e-16, stays two orders below.
@@ -120,11 +122,13 @@ void warn(StaticEquilibrium& result, const LoadedRail& rail) {
 }  // namespace
 
 StaticEquilibrium static_equilibrium(const TrackParameters& track, const std::vector<double>& wheels_m,
-                                     double wheel_load_n, const std::vector<double>& pads_m, const StaticEquilibrium* start) {
+                                     double wheel_load_n, const std::vector<double>& pads_m,
+                                     const StaticEquilibrium* start) {
     assert(!pads_m.empty() && std::is_sorted(pads_m.begin(), pads_m.end()));
     const LoadedRail rail = loaded_rail(track, wheels_m, wheel_load_n, pads_m);
     const SeatState unloaded = unloaded_seat(rail.seat, rest_load_n(track));
-    const NewtonResult found = newton(rail, start ? start->deflection : std::vector<double>{}, unloaded.displacement_m, track.spacing_m);
+    const NewtonResult found =
+        newton(rail, start ? start->deflection : std::vector<double>{}, unloaded.displacement_m, track.spacing_m);
 
     StaticEquilibrium result;
     result.position_m = pads_m;

@@ -34,7 +34,8 @@ struct StaticEquilibrium {
 /// downwards. `track` must have passed check(). Accuracy: the residual is below 1e-10 of the largest load; against an
 /// independent solution the compressions agree to 1e-8. Throws parameters::ParameterError when a wheel stands off the
 /// track or no equilibrium exists. `start`: a similar equilibrium (wheels shifted by part of a bay, other fasteners
-/// failed) to begin from; it saves iterations and changes nothing but rounding; one with another number of pads is ignored.
+/// failed) to begin from; it saves iterations and changes nothing but rounding; one with another number of pads is
+/// ignored.
 StaticEquilibrium static_equilibrium(const TrackParameters& track, const std::vector<double>& wheels_m,
                                      double wheel_load_n, const std::vector<double>& pads_m,
                                      const StaticEquilibrium* start = nullptr);

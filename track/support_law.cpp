@@ -15,8 +15,8 @@ std::complex<double> support_receptance(const SupportParameters& support, double
     assert(frequency_hz > 0.0);
     if (support.model == SupportModel::rigid) return 0.0;
     const double omega = two_pi * frequency_hz;
-    std::complex<double> spring(
-        support.stiffness_n_per_m, support.stiffness_n_per_m * support.loss_factor + omega * support.damping_n_s_per_m);
+    std::complex<double> spring(support.stiffness_n_per_m,
+                                support.stiffness_n_per_m * support.loss_factor + omega * support.damping_n_s_per_m);
     if (!support.correction.empty()) spring *= support.correction.at(omega);
     std::complex<double> receptance = 1.0 / (spring - omega * omega * support.mass_kg);
     for (const SleeperMode& mode : support.bending_modes) {

@@ -62,7 +62,8 @@ std::string program_fingerprint() {
 class Reporter {
   public:
     /// `processes`: how many share the trials, all of them about as fast.
-    Reporter(std::string label, int processes) : bar_(std::move(label)), lines_(::isatty(STDERR_FILENO) != 1), processes_(processes) {}
+    Reporter(std::string label, int processes)
+        : bar_(std::move(label)), lines_(::isatty(STDERR_FILENO) != 1), processes_(processes) {}
 
     void within(std::size_t done, std::size_t all, double share) {
         bar_.show(static_cast<std::size_t>(kParts * (static_cast<double>(done) + share)), kParts * all);
@@ -72,9 +73,11 @@ class Reporter {
         within(done, all, 0.0);
         if (!lines_) return;
         const double each = std::chrono::duration<double>(Clock::now() - begin_).count() / static_cast<double>(done);
-        const long remaining = std::lround(each * std::max(0.0, static_cast<double>(all) / processes_ - static_cast<double>(done)));
-        fmt::print("trial {:4}  {:<16} {:5.0f} s  remaining {}:{:02}:{:02}\n", last.trial, last.failure.empty() ? last.verdict : "failed",
-                   last.seconds_simulated + last.seconds_diagnosed, remaining / 3600, remaining / 60 % 60, remaining % 60);
+        const long remaining =
+            std::lround(each * std::max(0.0, static_cast<double>(all) / processes_ - static_cast<double>(done)));
+        fmt::print("trial {:4}  {:<16} {:5.0f} s  remaining {}:{:02}:{:02}\n", last.trial,
+                   last.failure.empty() ? last.verdict : "failed", last.seconds_simulated + last.seconds_diagnosed,
+                   remaining / 3600, remaining / 60 % 60, remaining % 60);
         std::fflush(stdout);
     }
 
@@ -86,7 +89,8 @@ class Reporter {
     Clock::time_point begin_ = Clock::now();
 };
 
-void run_open_trials(const std::vector<TrialTruth>& truths, const diagnosis::BelievedCase& believed, const ProofSettings& settings, const ProofFolder& folder, ranks::Crew& crew) {
+void run_open_trials(const std::vector<TrialTruth>& truths, const diagnosis::BelievedCase& believed,
+                     const ProofSettings& settings, const ProofFolder& folder, ranks::Crew& crew) {
     const InterruptGuard guard;
     Reporter reporter("proof", crew.size());
     std::size_t done = 0, all = 0;
@@ -121,12 +125,15 @@ void write_score(const std::vector<TrialTruth>& truths, const ProofFolder& folde
     output.write("trials.csv", trials_csv(trials));
     output.write("score.json", score_json(score, trials, settings, truths.size()));
     output.commit();
-    fmt::print("{} of {} trials finished\n{}{}\n", finished.size(), truths.size(), score_lines(score), (folder.path() / "score.json").string());
+    fmt::print("{} of {} trials finished\n{}{}\n", finished.size(), truths.size(), score_lines(score),
+               (folder.path() / "score.json").string());
 }
 
 int prove(const ProveRequest& request) {
     const ProofSettings settings = settings_of(request);
-    const CaseFile file = request.case_path.empty() ? parse_case("wei2016/case1", std::string(proved_case()), request.set) : read_case(request.case_path, request.set);
+    const CaseFile file = request.case_path.empty()
+                              ? parse_case("wei2016/case1", std::string(proved_case()), request.set)
+                              : read_case(request.case_path, request.set);
     const diagnosis::BelievedCase believed = believed_case(file);
     const std::string text = settings_text(file, settings);
     const std::vector<TrialTruth> truths = draw_trials(file, believed, settings);
@@ -146,19 +153,34 @@ int prove(const ProveRequest& request) {
 
 void add_prove(CLI::App& program, Run& run) {
     const auto request = std::make_shared<ProveRequest>();
-    CLI::App* verb = program.add_subcommand(
-        "prove", "trials in which effects are hidden and the diagnosis has to find them: DIR/score.json, DIR/trials.csv; goes on where it was interrupted");
-    verb->footer("Examples:\n"
-                 "  railpem prove --quick --out out\n"
-                 "  railpem prove --trials 300 --seed 1 --shard 1/2 --out out    (and 2/2 on another machine)");
-    verb->add_option("--trials", request->trials, "number of trials; 8 without it")->check(CLI::Range(std::size_t{1}, std::size_t{100000}))->type_name("N");
-    verb->add_option("--seed", request->seed, "draws all trials; 1 without it")->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1} << 62))->type_name("S");
+    CLI::App* verb = program.add_subcommand("prove",
+                                            "trials in which effects are hidden and the diagnosis has to find them: "
+                                            "DIR/score.json, DIR/trials.csv; goes on where it was interrupted");
+    verb->footer(
+        "Examples:\n"
+        "  railpem prove --quick --out out\n"
+        "  railpem prove --trials 300 --seed 1 --shard 1/2 --out out    (and 2/2 on another machine)");
+    verb->add_option("--trials", request->trials, "number of trials; 8 without it")
+        ->check(CLI::Range(std::size_t{1}, std::size_t{100000}))
+        ->type_name("N");
+    verb->add_option("--seed", request->seed, "draws all trials; 1 without it")
+        ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1} << 62))
+        ->type_name("S");
     verb->add_option("--out", request->folder, "folder for truths, trials and score")->required()->type_name("DIR");
-    verb->add_option("--case", request->case_path, "the believed case; case 1 of Wei et al. 2016 without it")->type_name("FILE");
-    verb->add_option("--set", request->set, "override a key of the case: key=value")->type_name("KEY=VALUE")->allow_extra_args(false);
-    verb->add_option("--seconds", request->seconds, "length of every record in s; 60 without it")->check(CLI::Range(20.0, 3600.0))->type_name("T");
-    verb->add_option("--shard", request->shard, "run every n-th trial only, beginning with the i-th; a run without it afterwards adds up")->type_name("I/N");
-    verb->add_option("--threads", request->threads, "threads; all without it")->check(CLI::Range(1, 1024))->type_name("N");
+    verb->add_option("--case", request->case_path, "the believed case; case 1 of Wei et al. 2016 without it")
+        ->type_name("FILE");
+    verb->add_option("--set", request->set, "override a key of the case: key=value")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
+    verb->add_option("--seconds", request->seconds, "length of every record in s; 60 without it")
+        ->check(CLI::Range(20.0, 3600.0))
+        ->type_name("T");
+    verb->add_option("--shard", request->shard,
+                     "run every n-th trial only, beginning with the i-th; a run without it afterwards adds up")
+        ->type_name("I/N");
+    verb->add_option("--threads", request->threads, "threads; all without it")
+        ->check(CLI::Range(1, 1024))
+        ->type_name("N");
     verb->add_flag("--quick", request->quick, "one speed per trial");
     verb->add_flag("--keep", request->keep, "keep the recordings: DIR/trials/<trial>/record_<k>");
     verb->callback([request, &run] { run = [request] { return prove(*request); }; });

@@ -1,6 +1,6 @@
 // The simulator hides the same physics that the library names: it keeps a list of its own, because it may not know the
-// diagnosis. Every effect of the library exists there with the same parameters, and makes the same case; laws that only differ
-// by frequency are those that it marches, the ends of their range (rail dampers have dashpots).
+// diagnosis. Every effect of the library exists there with the same parameters, and makes the same case; laws that only
+// differ by frequency are those that it marches, the ends of their range (rail dampers have dashpots).
 
 #include <gtest/gtest.h>
 
@@ -20,7 +20,8 @@ std::string hide_option(const Effect& effect, const EffectInstance& instance) {
     for (const auto& [name, value] : instance.choices)
         text += fmt::format("{}{}={}", text == effect.id ? ':' : ',', name, value);
     for (const EffectParameter& parameter : effect.parameters)
-        if (!parameter.law) text += fmt::format("{}{}={}", text == effect.id ? ':' : ',', parameter.name, parameter.typical);
+        if (!parameter.law)
+            text += fmt::format("{}{}={}", text == effect.id ? ':' : ',', parameter.name, parameter.typical);
     return text;
 }
 
