@@ -4,18 +4,19 @@
 #include <chrono>
 #include <memory>
 
-#include "diagnosis/belief_kept.hpp"
-#include "diagnosis/effort.hpp"
-#include "diagnosis/from_afar.hpp"
-#include "diagnosis/ground_resonance.hpp"
-#include "diagnosis/hold_again.hpp"
-#include "diagnosis/locate.hpp"
-#include "diagnosis/model_error.hpp"
-#include "diagnosis/repeated_levels.hpp"
-#include "diagnosis/robust_covariance.hpp"
-#include "diagnosis/verdict.hpp"
-#include "diagnosis/wheel_unloading.hpp"
-#include "diagnosis/write_up.hpp"
+#include "diagnosis/findings/write_up.hpp"
+#include "diagnosis/fit/robust_covariance.hpp"
+#include "diagnosis/hypotheses/locate.hpp"
+#include "diagnosis/judge/belief_kept.hpp"
+#include "diagnosis/judge/ground_resonance.hpp"
+#include "diagnosis/judge/model_error.hpp"
+#include "diagnosis/judge/repeated_levels.hpp"
+#include "diagnosis/judge/verdict.hpp"
+#include "diagnosis/model/effort.hpp"
+#include "diagnosis/model/wheel_unloading.hpp"
+#include "diagnosis/search/from_afar.hpp"
+#include "diagnosis/search/hold_again.hpp"
+#include "diagnosis/search/name_physics.hpp"
 
 namespace railpem::diagnosis {
 

@@ -6,7 +6,7 @@
 #include <functional>
 
 #include "parameters/parameter_error.hpp"
-#include "pem/sensor_chain.hpp"
+#include "pem/coupling/sensor_chain.hpp"
 
 namespace railpem::pem {
 

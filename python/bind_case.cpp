@@ -2,7 +2,7 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
-#include "app/case_value.hpp"
+#include "app/schema/case_value.hpp"
 #include "python/bindings.hpp"
 
 namespace railpem::python {

@@ -1,11 +1,11 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
-#include "app/diagnosed_case.hpp"
-#include "app/diagnosis_json.hpp"
-#include "app/diagnosis_report.hpp"
-#include "app/diagnosis_request.hpp"
 #include "app/output_folder.hpp"
+#include "app/report/diagnosis_report.hpp"
+#include "app/schema/diagnosed_case.hpp"
+#include "app/tables/diagnosis_json.hpp"
+#include "app/verbs/diagnosis_request.hpp"
 #include "python/array_view.hpp"
 #include "python/bindings.hpp"
 #include "python/interruption.hpp"

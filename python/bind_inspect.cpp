@@ -4,13 +4,13 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/inspection_beliefs.hpp"
-#include "app/recording_schema.hpp"
+#include "app/schema/recording_schema.hpp"
+#include "app/verbs/inspection_beliefs.hpp"
 #include "python/array_view.hpp"
 #include "python/bindings.hpp"
 #include "python/interruption.hpp"
-#include "recordings/inspection.hpp"
-#include "recordings/inspection_writers.hpp"
+#include "recordings/inspection/inspection.hpp"
+#include "recordings/inspection/inspection_writers.hpp"
 
 namespace railpem::python {
 

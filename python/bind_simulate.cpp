@@ -1,10 +1,10 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
-#include "app/hide_option.hpp"
 #include "app/output_folder.hpp"
-#include "app/simulated_recording_files.hpp"
-#include "app/simulation_request.hpp"
+#include "app/schema/hide_option.hpp"
+#include "app/tables/simulated_recording_files.hpp"
+#include "app/verbs/simulation_request.hpp"
 #include "python/array_view.hpp"
 #include "python/bindings.hpp"
 #include "python/interruption.hpp"

@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 #include <pybind11/stl.h>
 
-#include "app/read_table.hpp"
-#include "app/response_summary.hpp"
-#include "app/response_tables.hpp"
-#include "pem/solution.hpp"
+#include "app/schema/read_table.hpp"
+#include "app/tables/response_summary.hpp"
+#include "app/tables/response_tables.hpp"
+#include "pem/coupling/solution.hpp"
 #include "python/array_view.hpp"
 #include "python/bindings.hpp"
 #include "python/interruption.hpp"

@@ -1,9 +1,9 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
-#include "app/sweep_schema.hpp"
-#include "app/sweep_table.hpp"
-#include "pem/sweep.hpp"
+#include "app/schema/sweep_schema.hpp"
+#include "app/tables/sweep_table.hpp"
+#include "pem/coupling/sweep.hpp"
 #include "python/array_view.hpp"
 #include "python/bindings.hpp"
 #include "python/interruption.hpp"

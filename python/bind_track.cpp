@@ -1,10 +1,10 @@
 #include <pybind11/complex.h>
 #include <pybind11/stl.h>
 
-#include "app/read_table.hpp"
-#include "app/track_tables.hpp"
-#include "pem/rail_model.hpp"
-#include "pem/track_response.hpp"
+#include "app/schema/read_table.hpp"
+#include "app/tables/track_tables.hpp"
+#include "pem/coupling/track_response.hpp"
+#include "pem/rail/rail_model.hpp"
 #include "python/array_view.hpp"
 #include "python/bindings.hpp"
 #include "python/interruption.hpp"

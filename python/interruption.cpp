@@ -1,6 +1,6 @@
 #include "python/interruption.hpp"
 
-#include "pem/solution.hpp"
+#include "pem/coupling/solution.hpp"
 
 namespace railpem::python {
 

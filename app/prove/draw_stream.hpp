@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "simulate/random_numbers.hpp"
+#include "simulate/numerics/random_numbers.hpp"
 
 namespace railpem::app {
 

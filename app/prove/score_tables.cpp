@@ -6,7 +6,7 @@
 #include <set>
 
 #include "app/fingerprint.hpp"
-#include "app/json_values.hpp"
+#include "app/tables/json_values.hpp"
 
 namespace railpem::app {
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cassert>
 
-#include "app/hide_option.hpp"
 #include "app/input_error.hpp"
 #include "app/prove/draw_stream.hpp"
 #include "app/prove/hidden_draw.hpp"
+#include "app/schema/hide_option.hpp"
 
 namespace railpem::app {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "diagnosis/diagnosis.hpp"
+#include "diagnosis/findings/diagnosis.hpp"
 
 namespace railpem::app {
 

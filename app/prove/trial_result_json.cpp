@@ -1,8 +1,8 @@
 #include <limits>
 
 #include "app/input_error.hpp"
-#include "app/json_values.hpp"
 #include "app/prove/trial_result.hpp"
+#include "app/tables/json_values.hpp"
 
 namespace railpem::app {
 

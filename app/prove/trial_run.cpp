@@ -8,8 +8,9 @@
 #include <future>
 #include <thread>
 
-#include "app/simulated_recording_files.hpp"
-#include "simulate/simulate.hpp"
+#include "app/tables/simulated_recording_files.hpp"
+#include "diagnosis/observations/observe.hpp"
+#include "simulate/march/simulate.hpp"
 
 namespace railpem::app {
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "app/case_schema.hpp"
-#include "diagnosis/believed_case.hpp"
-#include "simulate/hidden_effects.hpp"
+#include "app/schema/case_schema.hpp"
+#include "diagnosis/observations/believed_case.hpp"
+#include "simulate/effects/hidden_effects.hpp"
 
 namespace railpem::app {
 

@@ -12,11 +12,11 @@
 #include <map>
 #include <random>
 
-#include "app/case_schema.hpp"
-#include "app/diagnosis_inputs.hpp"
+#include "app/schema/case_schema.hpp"
+#include "app/schema/diagnosis_inputs.hpp"
 #include "diagnosis/diagnose.hpp"
-#include "diagnosis/interval.hpp"
-#include "diagnosis/synthesis.hpp"
+#include "diagnosis/fit/interval.hpp"
+#include "diagnosis/fit/synthesis.hpp"
 
 namespace {
 

@@ -5,7 +5,7 @@
 #include <benchmark/benchmark.h>
 
 #include "../verification/pem/paper_case.hpp"
-#include "simulate/simulate.hpp"
+#include "simulate/march/simulate.hpp"
 
 namespace {
 

@@ -11,10 +11,10 @@
 #include <string>
 #include <vector>
 
-#include "app/case_schema.hpp"
-#include "app/diagnosis_inputs.hpp"
-#include "diagnosis/fit.hpp"
-#include "diagnosis/synthesis.hpp"
+#include "app/schema/case_schema.hpp"
+#include "app/schema/diagnosis_inputs.hpp"
+#include "diagnosis/fit/fit.hpp"
+#include "diagnosis/fit/synthesis.hpp"
 
 namespace {
 

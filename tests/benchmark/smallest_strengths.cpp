@@ -13,10 +13,10 @@
 #include <cstdlib>
 #include <optional>
 
-#include "app/case_schema.hpp"
-#include "app/diagnosis_inputs.hpp"
+#include "app/schema/case_schema.hpp"
+#include "app/schema/diagnosis_inputs.hpp"
 #include "diagnosis/diagnose.hpp"
-#include "diagnosis/fitted_set.hpp"
+#include "diagnosis/hypotheses/fitted_set.hpp"
 #include "spectra/irregularity_spectrum.hpp"
 #include "tests/benchmark/typical_effects.hpp"
 

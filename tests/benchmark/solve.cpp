@@ -10,12 +10,12 @@
 #include <numbers>
 
 #include "../verification/pem/every_track_effect.hpp"
-#include "pem/coupled_model.hpp"
-#include "pem/passing_lines.hpp"
-#include "pem/solution.hpp"
-#include "pem/track_response.hpp"
-#include "pem/wheel_transfers.hpp"
-#include "track/exact_rail.hpp"
+#include "pem/coupling/coupled_model.hpp"
+#include "pem/coupling/passing_lines.hpp"
+#include "pem/coupling/solution.hpp"
+#include "pem/coupling/track_response.hpp"
+#include "pem/coupling/wheel_transfers.hpp"
+#include "track/rail/exact_rail.hpp"
 
 namespace {
 

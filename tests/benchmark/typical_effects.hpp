@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "diagnosis/candidates.hpp"
-#include "diagnosis/synthesis.hpp"
+#include "diagnosis/fit/synthesis.hpp"
+#include "diagnosis/hypotheses/candidates.hpp"
 
 namespace railpem::tests {
 

@@ -12,10 +12,10 @@
 #include <map>
 #include <random>
 
-#include "app/case_schema.hpp"
-#include "app/diagnosis_inputs.hpp"
-#include "diagnosis/best_start.hpp"
-#include "diagnosis/screen.hpp"
+#include "app/schema/case_schema.hpp"
+#include "app/schema/diagnosis_inputs.hpp"
+#include "diagnosis/hypotheses/best_start.hpp"
+#include "diagnosis/hypotheses/screen.hpp"
 #include "tests/benchmark/typical_effects.hpp"
 
 namespace {

@@ -2,8 +2,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "app/case_schema.hpp"
-#include "pem/solution.hpp"
+#include "app/schema/case_schema.hpp"
+#include "pem/coupling/solution.hpp"
 
 int main(int argc, char** argv) {
     if (argc != 2) return 2;

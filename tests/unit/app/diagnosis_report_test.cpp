@@ -1,4 +1,4 @@
-#include "app/diagnosis_report.hpp"
+#include "app/report/diagnosis_report.hpp"
 
 #include <gtest/gtest.h>
 

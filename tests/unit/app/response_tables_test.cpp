@@ -1,4 +1,4 @@
-#include "app/response_tables.hpp"
+#include "app/tables/response_tables.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/progress_bar.hpp"
-#include "app/response_summary.hpp"
+#include "app/tables/response_summary.hpp"
 #include "spectra/comfort.hpp"
 
 namespace railpem::app {

@@ -1,12 +1,12 @@
 // The rival of a belief that is given up: recordings drawn from a case with one number four and a half tolerances off.
 
-#include "diagnosis/belief_kept.hpp"
+#include "diagnosis/judge/belief_kept.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "diagnosis/verdict.hpp"
+#include "diagnosis/judge/verdict.hpp"
 #include "tests/unit/diagnosis/synthesised_fixture.hpp"
 
 namespace railpem::diagnosis {

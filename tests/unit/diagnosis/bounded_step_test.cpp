@@ -1,4 +1,4 @@
-#include "diagnosis/bounded_step.hpp"
+#include "diagnosis/fit/bounded_step.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
-#include "diagnosis/channel_delays.hpp"
+#include "diagnosis/hypotheses/proposers/channel_delays.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "diagnosis/name.hpp"
-#include "pem/solution.hpp"
+#include "diagnosis/search/name_physics.hpp"
+#include "pem/coupling/solution.hpp"
 #include "tests/unit/diagnosis/synthesised_fixture.hpp"
 
 namespace railpem::diagnosis {

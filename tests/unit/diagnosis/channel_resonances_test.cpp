@@ -1,11 +1,11 @@
-#include "diagnosis/channel_resonances.hpp"
+#include "diagnosis/hypotheses/proposers/channel_resonances.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "diagnosis/name.hpp"
-#include "pem/solution.hpp"
+#include "diagnosis/search/name_physics.hpp"
+#include "pem/coupling/solution.hpp"
 #include "tests/unit/diagnosis/synthesised_fixture.hpp"
 
 namespace railpem::diagnosis {

@@ -1,14 +1,14 @@
 // Channels whose unit cannot be trusted, two rails in one recording, a speed that only a channel states.
 
-#include "diagnosis/channel_scales.hpp"
+#include "diagnosis/observations/channel_scales.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "diagnosis/derivatives.hpp"
-#include "diagnosis/fit.hpp"
-#include "diagnosis/rail_sides.hpp"
+#include "diagnosis/fit/derivatives.hpp"
+#include "diagnosis/fit/fit.hpp"
+#include "diagnosis/observations/rail_sides.hpp"
 #include "recordings/stated_speed.hpp"
 #include "tests/unit/diagnosis/synthesised_fixture.hpp"
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <random>
 
-#include "diagnosis/from_afar.hpp"
-#include "diagnosis/observation.hpp"
+#include "diagnosis/observations/observation.hpp"
+#include "diagnosis/search/from_afar.hpp"
 #include "scalar_recordings.hpp"
 
 namespace railpem::diagnosis {

@@ -1,6 +1,6 @@
 // Distances between dips found by their lines.
 
-#include "diagnosis/comb_distances.hpp"
+#include "diagnosis/hypotheses/proposers/comb_distances.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Distances that share lines with a fitted one.
 
-#include "diagnosis/comb_relatives.hpp"
+#include "diagnosis/hypotheses/proposers/comb_relatives.hpp"
 
 #include <gtest/gtest.h>
 

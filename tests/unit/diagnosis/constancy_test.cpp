@@ -1,6 +1,6 @@
 // Whether recordings agree about an effect's parameter, on recordings drawn with one value and with several.
 
-#include "diagnosis/constancy.hpp"
+#include "diagnosis/judge/constancy.hpp"
 
 #include <gtest/gtest.h>
 

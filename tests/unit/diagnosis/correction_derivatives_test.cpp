@@ -1,12 +1,12 @@
-#include "diagnosis/correction_derivatives.hpp"
+#include "diagnosis/hypotheses/correction_derivatives.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstdio>
 
-#include "diagnosis/locate.hpp"
-#include "diagnosis/screen.hpp"
+#include "diagnosis/hypotheses/locate.hpp"
+#include "diagnosis/hypotheses/screen.hpp"
 #include "tests/unit/diagnosis/synthesised_fixture.hpp"
 
 namespace railpem::diagnosis {

@@ -1,11 +1,11 @@
-#include "diagnosis/derivatives.hpp"
+#include "diagnosis/fit/derivatives.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "diagnosis/fit.hpp"
+#include "diagnosis/fit/fit.hpp"
 #include "tests/unit/diagnosis/synthesised_fixture.hpp"
 
 namespace railpem::diagnosis {

@@ -1,6 +1,6 @@
 // What is dropped of sets whose evidences are given.
 
-#include "diagnosis/verdict.hpp"
+#include "diagnosis/judge/verdict.hpp"
 
 #include <gtest/gtest.h>
 

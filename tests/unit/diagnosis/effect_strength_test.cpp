@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pem/solution.hpp"
+#include "pem/coupling/solution.hpp"
 #include "tests/unit/diagnosis/effect_fixtures.hpp"
 
 namespace railpem::diagnosis {

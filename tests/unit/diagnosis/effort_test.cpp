@@ -1,12 +1,12 @@
 // The count of what a search has computed, and searches that it ends.
 
-#include "diagnosis/effort.hpp"
+#include "diagnosis/model/effort.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "diagnosis/name.hpp"
+#include "diagnosis/search/name_physics.hpp"
 #include "tests/unit/diagnosis/synthesised_fixture.hpp"
 
 namespace railpem::diagnosis {

@@ -1,4 +1,4 @@
-#include "diagnosis/faint_sources.hpp"
+#include "diagnosis/expectation/faint_sources.hpp"
 
 #include <gtest/gtest.h>
 

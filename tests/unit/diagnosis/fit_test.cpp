@@ -1,6 +1,6 @@
 // Fits of drawn recordings: what comes back, and whether intervals keep their promise.
 
-#include "diagnosis/fit.hpp"
+#include "diagnosis/fit/fit.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,8 +12,8 @@
 #include <numbers>
 #include <random>
 
-#include "diagnosis/fitted_set.hpp"
-#include "diagnosis/interval.hpp"
+#include "diagnosis/fit/interval.hpp"
+#include "diagnosis/hypotheses/fitted_set.hpp"
 #include "parameters/parameter_error.hpp"
 #include "tests/unit/diagnosis/synthesised_fixture.hpp"
 

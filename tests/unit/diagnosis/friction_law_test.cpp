@@ -1,8 +1,8 @@
 // The power of friction's own forces, on recordings drawn with that of a constant force and with four times as much.
 
-#include "diagnosis/friction_law.hpp"
-#include "diagnosis/constant_friction.hpp"
-#include "diagnosis/friction_run.hpp"
+#include "diagnosis/judge/friction_law.hpp"
+#include "diagnosis/findings/friction_run.hpp"
+#include "diagnosis/judge/constant_friction.hpp"
 
 #include <gtest/gtest.h>
 

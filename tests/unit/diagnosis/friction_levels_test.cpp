@@ -1,4 +1,4 @@
-#include "diagnosis/friction_levels.hpp"
+#include "diagnosis/model/friction_levels.hpp"
 
 #include <gtest/gtest.h>
 

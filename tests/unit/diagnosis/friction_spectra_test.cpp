@@ -1,13 +1,13 @@
 // Expected spectra with friction that is not linearised.
 
-#include "diagnosis/friction_spectra.hpp"
+#include "diagnosis/expectation/friction_spectra.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <memory>
 
-#include "pem/linearise.hpp"
+#include "pem/coupling/linearise.hpp"
 #include "tests/unit/diagnosis/synthesised_fixture.hpp"
 
 namespace railpem::diagnosis {

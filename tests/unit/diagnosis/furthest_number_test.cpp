@@ -1,4 +1,4 @@
-#include "diagnosis/furthest_number.hpp"
+#include "diagnosis/judge/furthest_number.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "diagnosis/effects/effect.hpp"
-#include "diagnosis/verdict.hpp"
+#include "diagnosis/judge/verdict.hpp"
 
 namespace railpem::diagnosis {
 

@@ -1,10 +1,10 @@
 // What differs from wheel to wheel at the pads is of the ground where it resonates.
 
-#include "diagnosis/ground_resonance.hpp"
+#include "diagnosis/judge/ground_resonance.hpp"
 
 #include <gtest/gtest.h>
 
-#include "diagnosis/posterior.hpp"
+#include "diagnosis/judge/posterior.hpp"
 
 namespace railpem::diagnosis {
 namespace {

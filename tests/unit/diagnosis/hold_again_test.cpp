@@ -1,12 +1,12 @@
-#include "diagnosis/hold_again.hpp"
+#include "diagnosis/search/hold_again.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "diagnosis/diagnose.hpp"
-#include "diagnosis/held_distortion.hpp"
-#include "diagnosis/verdict.hpp"
+#include "diagnosis/judge/verdict.hpp"
+#include "diagnosis/observations/held_distortion.hpp"
 #include "tests/unit/diagnosis/synthesised_fixture.hpp"
 
 namespace railpem::diagnosis {

@@ -1,12 +1,12 @@
-#include "diagnosis/irregularity_derivatives.hpp"
+#include "diagnosis/fit/irregularity_derivatives.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "diagnosis/derivatives.hpp"
-#include "diagnosis/fit.hpp"
+#include "diagnosis/fit/derivatives.hpp"
+#include "diagnosis/fit/fit.hpp"
 #include "tests/unit/diagnosis/synthesised_fixture.hpp"
 
 namespace railpem::diagnosis {

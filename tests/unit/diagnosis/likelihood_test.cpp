@@ -1,13 +1,13 @@
 // The Wishart log-likelihood against closed forms, its slope against differences and against draws.
 
-#include "diagnosis/derivatives.hpp"
+#include "diagnosis/fit/derivatives.hpp"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
 #include <algorithm>
 
-#include "diagnosis/fit.hpp"
+#include "diagnosis/fit/fit.hpp"
 #include "tests/unit/diagnosis/synthesised_fixture.hpp"
 
 namespace railpem::diagnosis {

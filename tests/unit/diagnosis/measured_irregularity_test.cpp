@@ -1,12 +1,12 @@
 // Beliefs about the irregularity from measured spectra and profiles.
 
-#include "diagnosis/measured_irregularity.hpp"
+#include "diagnosis/observations/measured_irregularity.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "diagnosis/trial.hpp"
+#include "diagnosis/model/trial.hpp"
 #include "spectra/irregularity_spectrum.hpp"
 #include "tests/unit/diagnosis/synthesised_fixture.hpp"
 

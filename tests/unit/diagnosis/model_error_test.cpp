@@ -1,4 +1,4 @@
-#include "diagnosis/model_error.hpp"
+#include "diagnosis/judge/model_error.hpp"
 
 #include <gtest/gtest.h>
 

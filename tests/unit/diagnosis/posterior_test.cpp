@@ -1,6 +1,6 @@
 // Probabilities of sets and places, of sets whose evidences are given.
 
-#include "diagnosis/posterior.hpp"
+#include "diagnosis/judge/posterior.hpp"
 
 #include <gtest/gtest.h>
 

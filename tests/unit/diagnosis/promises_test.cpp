@@ -6,8 +6,8 @@
 #include <Eigen/Dense>
 #include <numbers>
 
-#include "diagnosis/corrections.hpp"
-#include "diagnosis/screen.hpp"
+#include "diagnosis/hypotheses/corrections.hpp"
+#include "diagnosis/hypotheses/screen.hpp"
 #include "tests/unit/diagnosis/synthesised_fixture.hpp"
 
 namespace railpem::diagnosis {

@@ -1,12 +1,12 @@
 // Levels that are off in both parts of a recording: those that are, and not what chance makes of either.
 
-#include "diagnosis/repeated_levels.hpp"
+#include "diagnosis/judge/repeated_levels.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "diagnosis/compare_channels.hpp"
+#include "diagnosis/judge/compare_channels.hpp"
 #include "tests/unit/diagnosis/synthesised_fixture.hpp"
 
 namespace railpem::diagnosis {

@@ -1,6 +1,6 @@
 // Misfit that the unseen part repeats: nothing under the truth, and what the likelihood loses under something else.
 
-#include "diagnosis/repeated_misfit.hpp"
+#include "diagnosis/likelihood/repeated_misfit.hpp"
 
 #include <gtest/gtest.h>
 

@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-#include "diagnosis/candidates.hpp"
-#include "diagnosis/corrections.hpp"
+#include "diagnosis/hypotheses/candidates.hpp"
+#include "diagnosis/hypotheses/corrections.hpp"
 #include "tests/unit/diagnosis/synthesised_fixture.hpp"
 
 namespace railpem::diagnosis {

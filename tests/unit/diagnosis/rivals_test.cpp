@@ -1,6 +1,6 @@
 // Rivals of sets whose evidences are given.
 
-#include "diagnosis/rivals.hpp"
+#include "diagnosis/findings/rivals.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // How much wider the numbers' deviations are than those of an exact model, on recordings drawn from the case itself and
 // from another.
 
-#include "diagnosis/robust_covariance.hpp"
+#include "diagnosis/fit/robust_covariance.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "app/case_schema.hpp"
-#include "app/effect_tables.hpp"
-#include "simulate/hidden_effects.hpp"
+#include "app/schema/case_schema.hpp"
+#include "app/schema/effect_tables.hpp"
+#include "simulate/effects/hidden_effects.hpp"
 #include "tests/unit/diagnosis/effect_fixtures.hpp"
 
 namespace railpem::diagnosis {

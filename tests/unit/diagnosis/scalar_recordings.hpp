@@ -4,12 +4,12 @@
 #include <cmath>
 #include <random>
 
-#include "app/case_schema.hpp"
-#include "app/diagnosis_inputs.hpp"
+#include "app/schema/case_schema.hpp"
+#include "app/schema/diagnosis_inputs.hpp"
 #include "diagnosis/diagnose.hpp"
-#include "diagnosis/observe_scalars.hpp"
-#include "pem/solution.hpp"
-#include "pem/track_response.hpp"
+#include "diagnosis/observations/observe_scalars.hpp"
+#include "pem/coupling/solution.hpp"
+#include "pem/coupling/track_response.hpp"
 #include "spectra/third_octaves.hpp"
 
 namespace railpem::diagnosis {

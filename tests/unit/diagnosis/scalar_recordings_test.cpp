@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "diagnosis/scalar_likelihood.hpp"
+#include "diagnosis/likelihood/scalar_likelihood.hpp"
 #include "parameters/parameter_error.hpp"
 #include "scalar_recordings.hpp"
 

@@ -1,6 +1,6 @@
 // What the fits of the search make of a comb of lines.
 
-#include "diagnosis/set_trials.hpp"
+#include "diagnosis/search/set_trials.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <cstdio>
 #include <utility>
 
-#include "diagnosis/screen.hpp"
+#include "diagnosis/hypotheses/screen.hpp"
 #include "tests/unit/diagnosis/synthesised_fixture.hpp"
 
 namespace railpem::diagnosis {

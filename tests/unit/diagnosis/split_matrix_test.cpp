@@ -1,4 +1,4 @@
-#include "diagnosis/split_matrix.hpp"
+#include "diagnosis/likelihood/split_matrix.hpp"
 
 #include <gtest/gtest.h>
 

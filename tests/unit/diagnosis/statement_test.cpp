@@ -1,6 +1,6 @@
 // What a diagnosis says in words, of figures that are given.
 
-#include "diagnosis/statement.hpp"
+#include "diagnosis/findings/statement.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,8 +3,8 @@
 
 #include <map>
 
-#include "diagnosis/fit.hpp"
-#include "diagnosis/synthesis.hpp"
+#include "diagnosis/fit/fit.hpp"
+#include "diagnosis/fit/synthesis.hpp"
 #include "parameters/parameter_error.hpp"
 #include "pem/contact.hpp"
 #include "tests/verification/pem/paper_case.hpp"

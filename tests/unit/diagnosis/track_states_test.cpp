@@ -6,9 +6,9 @@
 
 #include <algorithm>
 
-#include "diagnosis/decay_rate_reference.hpp"
-#include "diagnosis/hold_out_recordings.hpp"
-#include "diagnosis/predict_scalars.hpp"
+#include "diagnosis/findings/decay_rate_reference.hpp"
+#include "diagnosis/likelihood/hold_out_recordings.hpp"
+#include "diagnosis/model/predict_scalars.hpp"
 #include "scalar_recordings.hpp"
 
 namespace railpem::diagnosis {

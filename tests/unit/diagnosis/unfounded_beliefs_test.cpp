@@ -1,6 +1,6 @@
 // Beliefs that sets give up, held against cases that keep them, with evidences that are given.
 
-#include "diagnosis/verdict.hpp"
+#include "diagnosis/judge/verdict.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Decisions over sets whose evidences are given.
 
-#include "diagnosis/verdict.hpp"
+#include "diagnosis/judge/verdict.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "diagnosis/wheel_unloading.hpp"
+#include "diagnosis/model/wheel_unloading.hpp"
 
 #include <gtest/gtest.h>
 

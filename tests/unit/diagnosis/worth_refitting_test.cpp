@@ -1,4 +1,4 @@
-#include "diagnosis/worth_refitting.hpp"
+#include "diagnosis/hypotheses/worth_refitting.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // What contacts distort: the law, its orders, and the spectra of powers.
 
-#include "pem/contact_distortion.hpp"
+#include "pem/distortion/contact_distortion.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "pem/contact.hpp"
-#include "pem/coupled_model.hpp"
-#include "pem/sensor_chain.hpp"
+#include "pem/coupling/coupled_model.hpp"
+#include "pem/coupling/sensor_chain.hpp"
 #include "tests/unit/lanes/in_turn.hpp"
 #include "tests/verification/pem/paper_case.hpp"
 

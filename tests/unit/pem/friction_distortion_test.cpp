@@ -1,6 +1,6 @@
 // Friction beyond its equivalent damping: against random realisations, and the total power in closed form.
 
-#include "pem/friction_distortion.hpp"
+#include "pem/coupling/friction_distortion.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Forces inside the suspension: a slightly stiffer element is the old one with a force of the difference across it.
 
-#include "pem/inner_transfers.hpp"
+#include "pem/coupling/inner_transfers.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "pem/solution.hpp"
-#include "pem/wheel_transfers.hpp"
+#include "pem/coupling/solution.hpp"
+#include "pem/coupling/wheel_transfers.hpp"
 #include "tests/verification/pem/paper_case.hpp"
 
 namespace railpem::pem {

@@ -1,6 +1,6 @@
 // The iteration behind equivalent damping and stiffness: it settles, wherever it starts.
 
-#include "pem/linearise.hpp"
+#include "pem/coupling/linearise.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "pem/wheel_transfers.hpp"
+#include "pem/coupling/wheel_transfers.hpp"
 #include "tests/verification/pem/paper_case.hpp"
 #include "vehicle/vehicle_parameters.hpp"
 

@@ -1,4 +1,4 @@
-#include "pem/pad_distortion.hpp"
+#include "pem/distortion/pad_distortion.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "pem/passing_modulation.hpp"
+#include "pem/distortion/passing_modulation.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <complex>
 
-#include "pem/solution.hpp"
+#include "pem/coupling/solution.hpp"
 #include "tests/verification/pem/paper_case.hpp"
 
 namespace railpem::pem {

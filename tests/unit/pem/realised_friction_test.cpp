@@ -1,6 +1,6 @@
 // Friction that is not linearised: against one degree of freedom marched in time, and where it is weak.
 
-#include "pem/realised_friction.hpp"
+#include "pem/distortion/realised_friction.hpp"
 
 #include <gtest/gtest.h>
 

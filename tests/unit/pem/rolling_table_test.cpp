@@ -1,4 +1,4 @@
-#include "pem/rolling_table.hpp"
+#include "pem/coupling/rolling_table.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "pem/wheel_transfers.hpp"
+#include "pem/coupling/wheel_transfers.hpp"
 #include "tests/verification/pem/paper_case.hpp"
 
 namespace railpem::pem {

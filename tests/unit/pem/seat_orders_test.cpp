@@ -1,12 +1,12 @@
 // Orders of a period of failed seats.
 
-#include "pem/seat_orders.hpp"
+#include "pem/rail/seat_orders.hpp"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 
-#include "pem/coupled_model.hpp"
+#include "pem/coupling/coupled_model.hpp"
 #include "tests/verification/pem/paper_case.hpp"
 
 namespace railpem::pem {

@@ -8,8 +8,8 @@
 
 #include "app/input_error.hpp"
 #include "app/prove/proof.hpp"
-#include "app/recording_schema.hpp"
-#include "app/simulated_recording_files.hpp"
+#include "app/schema/recording_schema.hpp"
+#include "app/tables/simulated_recording_files.hpp"
 #include "tests/unit/prove/proof_case.hpp"
 
 namespace railpem::app {

@@ -1,4 +1,4 @@
-#include "simulate/footing.hpp"
+#include "simulate/track/footing.hpp"
 
 #include <gtest/gtest.h>
 

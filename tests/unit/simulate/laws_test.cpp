@@ -4,10 +4,10 @@
 #include <numbers>
 
 #include "parameters/parameter_error.hpp"
-#include "simulate/contact_law.hpp"
-#include "simulate/pad_curve.hpp"
-#include "simulate/relaxation_chain.hpp"
-#include "simulate/vehicle_model.hpp"
+#include "simulate/numerics/relaxation_chain.hpp"
+#include "simulate/track/pad_curve.hpp"
+#include "simulate/vehicle/contact_law.hpp"
+#include "simulate/vehicle/vehicle_model.hpp"
 #include "tests/verification/pem/paper_case.hpp"
 
 namespace railpem::simulate {

@@ -6,9 +6,9 @@
 #include <sstream>
 
 #include "parameters/parameter_error.hpp"
-#include "simulate/profile.hpp"
-#include "simulate/sensor_chain.hpp"
-#include "simulate/simulate.hpp"
+#include "simulate/march/profile.hpp"
+#include "simulate/march/sensor_chain.hpp"
+#include "simulate/march/simulate.hpp"
 #include "spectra/irregularity_spectrum.hpp"
 #include "tests/verification/pem/paper_case.hpp"
 

@@ -9,10 +9,10 @@
 
 #include "tests/unit/lanes/in_turn.hpp"
 #include "tests/unit/track/wei2016_track.hpp"
-#include "track/exact_rail.hpp"
-#include "track/modal_rail.hpp"
-#include "track/rolling_receptance.hpp"
-#include "track/seat_stiffness.hpp"
+#include "track/rail/exact_rail.hpp"
+#include "track/rail/modal_rail.hpp"
+#include "track/rail/rolling_receptance.hpp"
+#include "track/statics/seat_stiffness.hpp"
 
 namespace railpem::track {
 namespace {

@@ -1,6 +1,6 @@
 // Equilibria side by side against each one alone.
 
-#include "track/equilibria_abreast.hpp"
+#include "track/statics/equilibria_abreast.hpp"
 
 #include <gtest/gtest.h>
 

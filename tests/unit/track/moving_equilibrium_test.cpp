@@ -1,11 +1,11 @@
-#include "track/moving_equilibrium.hpp"
+#include "track/statics/moving_equilibrium.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "tests/unit/track/wei2016_track.hpp"
-#include "track/pad_positions.hpp"
+#include "track/pads/pad_positions.hpp"
 
 namespace railpem::track {
 namespace {

@@ -1,4 +1,4 @@
-#include "track/pad_curve.hpp"
+#include "track/pads/pad_curve.hpp"
 
 #include <gtest/gtest.h>
 

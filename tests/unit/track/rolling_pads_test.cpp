@@ -1,7 +1,7 @@
 // One pad for all of them: against the track in finite elements at rest, and against the receptances of a track that
 // stands.
 
-#include "track/rolling_pads.hpp"
+#include "track/statics/rolling_pads.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,9 +11,9 @@
 #include <numbers>
 
 #include "tests/unit/track/wei2016_track.hpp"
-#include "track/exact_rail.hpp"
-#include "track/pad_positions.hpp"
-#include "track/static_equilibrium.hpp"
+#include "track/pads/pad_positions.hpp"
+#include "track/rail/exact_rail.hpp"
+#include "track/statics/static_equilibrium.hpp"
 
 namespace railpem::track {
 namespace {

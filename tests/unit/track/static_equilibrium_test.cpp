@@ -1,4 +1,4 @@
-#include "track/static_equilibrium.hpp"
+#include "track/statics/static_equilibrium.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "parameters/parameter_error.hpp"
 #include "tests/unit/track/wei2016_track.hpp"
-#include "track/pad_curve.hpp"
+#include "track/pads/pad_curve.hpp"
 
 namespace railpem::track {
 namespace {

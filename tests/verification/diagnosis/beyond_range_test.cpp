@@ -10,10 +10,10 @@
 
 #include "diagnosis/diagnose.hpp"
 #include "diagnosis/effects/effect.hpp"
-#include "diagnosis/fitted_set.hpp"
-#include "diagnosis/from_afar.hpp"
-#include "diagnosis/locate.hpp"
-#include "diagnosis/name.hpp"
+#include "diagnosis/hypotheses/fitted_set.hpp"
+#include "diagnosis/hypotheses/locate.hpp"
+#include "diagnosis/search/from_afar.hpp"
+#include "diagnosis/search/name_physics.hpp"
 #include "tests/unit/diagnosis/synthesised_fixture.hpp"
 
 namespace railpem::diagnosis {

@@ -4,9 +4,9 @@
 
 #include <cstdio>
 
-#include "diagnosis/fitted_set.hpp"
-#include "diagnosis/ground_resonance.hpp"
-#include "diagnosis/locate.hpp"
+#include "diagnosis/hypotheses/fitted_set.hpp"
+#include "diagnosis/hypotheses/locate.hpp"
+#include "diagnosis/judge/ground_resonance.hpp"
 #include "tests/unit/diagnosis/synthesised_fixture.hpp"
 
 namespace railpem::diagnosis {

@@ -1,15 +1,15 @@
 // The dynamic stiffness of the pads as three runs infer it, when the pads stiffen with frequency and the believed ones
 // do not.
 
-#include "diagnosis/inferred_curve.hpp"
+#include "diagnosis/findings/inferred_curve.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "diagnosis/fitted_set.hpp"
-#include "diagnosis/locate.hpp"
+#include "diagnosis/hypotheses/fitted_set.hpp"
+#include "diagnosis/hypotheses/locate.hpp"
 #include "tests/unit/diagnosis/synthesised_fixture.hpp"
 
 namespace railpem::diagnosis {

@@ -1,6 +1,6 @@
 // Where a spring that the case does not know acts, on recordings drawn with it.
 
-#include "diagnosis/locate.hpp"
+#include "diagnosis/hypotheses/locate.hpp"
 
 #include <gtest/gtest.h>
 

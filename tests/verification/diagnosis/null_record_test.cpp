@@ -9,10 +9,10 @@
 #include <random>
 
 #include "../pem/paper_case.hpp"
-#include "diagnosis/expected_spectra.hpp"
-#include "pem/contact_distortion.hpp"
-#include "recordings/cross_spectra.hpp"
-#include "simulate/simulate.hpp"
+#include "diagnosis/expectation/expected_spectra.hpp"
+#include "pem/distortion/contact_distortion.hpp"
+#include "recordings/estimates/cross_spectra.hpp"
+#include "simulate/march/simulate.hpp"
 
 namespace {
 

@@ -1,7 +1,7 @@
 // The catalogue screened on recordings drawn with an effect planted: which hypothesis is the most promising after
 // retuning.
 
-#include "diagnosis/screen.hpp"
+#include "diagnosis/hypotheses/screen.hpp"
 
 #include <gtest/gtest.h>
 

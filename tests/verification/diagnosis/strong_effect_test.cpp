@@ -9,9 +9,9 @@
 
 #include "diagnosis/diagnose.hpp"
 #include "diagnosis/effects/effect.hpp"
-#include "diagnosis/from_afar.hpp"
-#include "diagnosis/model_error.hpp"
-#include "diagnosis/name.hpp"
+#include "diagnosis/judge/model_error.hpp"
+#include "diagnosis/search/from_afar.hpp"
+#include "diagnosis/search/name_physics.hpp"
 #include "tests/unit/diagnosis/synthesised_fixture.hpp"
 
 namespace railpem::diagnosis {

@@ -11,10 +11,10 @@
 
 #include "paper_case.hpp"
 #include "pem/contact.hpp"
-#include "pem/coupled_model.hpp"
-#include "pem/solution.hpp"
+#include "pem/coupling/coupled_model.hpp"
+#include "pem/coupling/solution.hpp"
 #include "spectra/irregularity_spectrum.hpp"
-#include "track/exact_rail.hpp"
+#include "track/rail/exact_rail.hpp"
 
 namespace {
 

@@ -10,10 +10,10 @@
 
 #include "paper_case.hpp"
 #include "pem/contact.hpp"
-#include "pem/linearise.hpp"
-#include "pem/passing_lines.hpp"
-#include "pem/sensor_chain.hpp"
-#include "pem/solution.hpp"
+#include "pem/coupling/linearise.hpp"
+#include "pem/coupling/passing_lines.hpp"
+#include "pem/coupling/sensor_chain.hpp"
+#include "pem/coupling/solution.hpp"
 #include "spectra/irregularity_spectrum.hpp"
 #include "spectra/rail_joint_lines.hpp"
 

@@ -9,10 +9,10 @@
 #include <numbers>
 
 #include "every_track_effect.hpp"
-#include "pem/passing_lines.hpp"
-#include "pem/passing_positions.hpp"
-#include "pem/rail_model.hpp"
-#include "track/exact_rail.hpp"
+#include "pem/coupling/passing_lines.hpp"
+#include "pem/rail/passing_positions.hpp"
+#include "pem/rail/rail_model.hpp"
+#include "track/rail/exact_rail.hpp"
 
 namespace {
 

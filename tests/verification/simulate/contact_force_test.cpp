@@ -5,8 +5,8 @@
 #include <array>
 #include <cmath>
 
-#include "pem/contact_distortion.hpp"
-#include "simulate/simulate.hpp"
+#include "pem/distortion/contact_distortion.hpp"
+#include "simulate/march/simulate.hpp"
 #include "tests/verification/pem/paper_case.hpp"
 
 namespace railpem::tests {

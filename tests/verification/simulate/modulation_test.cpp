@@ -5,8 +5,8 @@
 #include <numbers>
 #include <tuple>
 
-#include "pem/modulated_forces.hpp"
-#include "pem/wheel_transfers.hpp"
+#include "pem/coupling/wheel_transfers.hpp"
+#include "pem/distortion/modulated_forces.hpp"
 #include "tests/verification/simulate/transfer.hpp"
 
 namespace railpem::tests {

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include <algorithm>
-#include "pem/solution.hpp"
-#include "simulate/excitation.hpp"
-#include "simulate/simulate.hpp"
+#include "pem/coupling/solution.hpp"
+#include "simulate/march/excitation.hpp"
+#include "simulate/march/simulate.hpp"
 #include "spectra/irregularity_spectrum.hpp"
 #include "tests/verification/pem/paper_case.hpp"
 

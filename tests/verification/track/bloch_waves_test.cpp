@@ -1,6 +1,6 @@
 // The receptance of the uniform track from its waves, against condensation of rail elements.
 
-#include "track/bloch_waves.hpp"
+#include "track/rail/bloch_waves.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Seats that stand for failed ones, against the mean over draws of rails with every failed seat in it.
 
-#include "track/mean_seats.hpp"
+#include "track/rail/mean_seats.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "../pem/paper_case.hpp"
-#include "track/exact_rail.hpp"
+#include "track/rail/exact_rail.hpp"
 
 namespace {
 

@@ -2,7 +2,7 @@
 // on a bed, its roots eigenvalues of a companion matrix; the mean over resting wheels; the deflection under constant
 // loads.
 
-#include "track/rolling_receptance.hpp"
+#include "track/rail/rolling_receptance.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,8 +13,8 @@
 
 #include "../pem/paper_case.hpp"
 #include "ballasted_track.hpp"
-#include "track/exact_rail.hpp"
-#include "track/rolling_pads.hpp"
+#include "track/rail/exact_rail.hpp"
+#include "track/statics/rolling_pads.hpp"
 
 namespace {
 

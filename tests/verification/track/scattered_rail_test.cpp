@@ -1,6 +1,6 @@
 // Receptances of tracks whose seats differ, from the waves that they scatter, against the elimination of every node.
 
-#include "track/scattered_rail.hpp"
+#include "track/rail/scattered_rail.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 
 #include "ballasted_track.hpp"
 #include "tests/unit/track/wei2016_track.hpp"
-#include "track/pad_positions.hpp"
+#include "track/pads/pad_positions.hpp"
 
 namespace {
 
