@@ -1,6 +1,7 @@
 """Pieces of pages that commands write: tables, what stands between two markers, shares with their intervals."""
 import math
 import re
+import textwrap
 
 END = "<!-- end of table -->"
 
@@ -39,3 +40,33 @@ def share(hits, of):
         return "none of these"
     low, high = wilson(hits, of)
     return f"{hits} of {of} ({100 * hits / of:.1f} %, {100 * low:.1f} to {100 * high:.1f})"
+
+
+STAYS = re.compile(r"^\s*(\||#|!\[|<!--)|^\s*$")
+ITEM = re.compile(r"^(\s*)([-*]|\d+\.)\s+")
+
+
+def folded(page, width=120):
+    """The page with paragraphs and list items filled anew, so that no line has to be scrolled; tables, code, headings and pictures stay."""
+    lines, block, code = [], [], False
+
+    def close():
+        if block:
+            item = ITEM.match(block[0])
+            indent = " " * (len(item.group(0)) if item else 0)
+            lines.extend(textwrap.wrap(" ".join(line.strip() for line in block), width, initial_indent=item.group(1) if item else "",
+                                       subsequent_indent=indent, break_long_words=False, break_on_hyphens=False))
+            block.clear()
+
+    for line in page.split("\n"):
+        fence = line.lstrip().startswith("```")
+        if code or fence or STAYS.match(line):
+            close()
+            lines.append(line)
+            code ^= fence
+            continue
+        if ITEM.match(line):
+            close()
+        block.append(line)
+    close()
+    return "\n".join(lines)
