@@ -10,6 +10,8 @@ std::uint64_t fingerprint(std::string_view text) {
     return hash;
 }
 
-std::string fingerprint_text(std::string_view text) { return fmt::format("{:016x}", fingerprint(text)); }
+std::string fingerprint_text(std::string_view text) {
+    return fmt::format("{:016x}", fingerprint(text));
+}
 
 }  // namespace railpem::app

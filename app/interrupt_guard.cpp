@@ -23,8 +23,12 @@ InterruptGuard::InterruptGuard() {
     previous_ = std::signal(SIGINT, on_interrupt);
 }
 
-InterruptGuard::~InterruptGuard() { std::signal(SIGINT, previous_); }
+InterruptGuard::~InterruptGuard() {
+    std::signal(SIGINT, previous_);
+}
 
-bool InterruptGuard::asked() { return interrupt_asked.load(); }
+bool InterruptGuard::asked() {
+    return interrupt_asked.load();
+}
 
 }  // namespace railpem::app

@@ -1,6 +1,6 @@
-#include "app/command_line.hpp"
 #include "app/keep_memory.hpp"
 #include "app/memory_shortage.hpp"
+#include "app/verbs/command_line.hpp"
 
 int main(int argc, char** argv) {
     railpem::app::keep_memory();

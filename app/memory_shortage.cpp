@@ -9,7 +9,9 @@
 
 namespace railpem::app {
 
-void say_memory_shortage() { std::fputs("railpem: not enough memory\n", stderr); }
+void say_memory_shortage() {
+    std::fputs("railpem: not enough memory\n", stderr);
+}
 
 void end_on_memory_shortage() {
     static std::terminate_handler otherwise = nullptr;

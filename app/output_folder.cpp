@@ -61,7 +61,10 @@ int flush_file(const fs::path& file) {
 
 OutputFolder::OutputFolder(const fs::path& folder, const std::string& option)
     : outer_(innermost), folder_(folder.empty() ? fs::path(".") : folder), option_(option) {
-    if (folder.empty() && option_ == kFolderOption) throw InputError(fmt::format("{}: no folder is named\nallowed: a folder that can be written, or a new one; . is the current one", option_));
+    if (folder.empty() && option_ == kFolderOption)
+        throw InputError(fmt::format(
+            "{}: no folder is named\nallowed: a folder that can be written, or a new one; . is the current one",
+            option_));
     innermost = this;
     try {
         make_folders();

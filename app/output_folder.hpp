@@ -56,7 +56,8 @@ class OutputFolder {
     std::vector<File> files_;
 };
 
-/// What the folders of this thread would remove in their destructors, for a program that ends without any. Asks for no memory.
+/// What the folders of this thread would remove in their destructors, for a program that ends without any. Asks for no
+/// memory.
 void remove_unfinished_output() noexcept;
 
 }  // namespace railpem::app

@@ -1,23 +1,13 @@
 #pragma once
 // From a believed case and recordings to a verdict.
 
-#include "diagnosis/believed_case.hpp"
-#include "diagnosis/diagnosis.hpp"
-#include "diagnosis/name.hpp"
-#include "diagnosis/observation.hpp"
+#include "diagnosis/findings/diagnosis.hpp"
+#include "diagnosis/judge/verdict_thresholds.hpp"
+#include "diagnosis/observations/believed_case.hpp"
+#include "diagnosis/observations/observation.hpp"
+#include "diagnosis/search/naming_options.hpp"
 
 namespace railpem::diagnosis {
-
-/// How sure a verdict has to be. Of 300 synthesised nulls nothing gained and no free correction promised more than −3.8 nats (docs/proof/README.md, calibrate_verdict).
-struct VerdictThresholds {
-    double least_gain = 5.0;        ///< nats of log-evidence that physics must gain over the retuned case
-    double belief_gain = 1.5;       ///< the same where nothing is added, and numbers, the irregularity or the passing of sleepers are further off than was believed: as much has a number 3.7 tolerances off, which of fourteen by chance one is in 300 cases
-    double credible = 4.0;          ///< a rival set is credible within so many nats of the best
-    double residual = 12.0;         ///< nats that a free correction beside the named set may promise by chance, or nats_left() of it (model_error.hpp)
-    double anonymous = 3.0;         ///< nats by which a free correction must beat the named set to make it nameless
-    double number_tolerances = 4.5;   ///< by which a number may end beside a name, furthest_number(), unless its law bends numbers (Effect::bends_numbers): between the most beside a right one (3.9) and the least beside a wrong one (5.3, a play of the fastenings)
-    double level_db = 1.4;            ///< by which levels may be off beside a name without friction, repeated_level_db(): between the most beside right ones (1.3) and the least beside wrong ones (1.6)
-};
 
 struct DiagnoseOptions {
     VerdictThresholds thresholds;
@@ -28,6 +18,7 @@ struct DiagnoseOptions {
 };
 
 /// The whole diagnosis: retune, locate, name, verify on what no fit has seen, refit on everything.
-Diagnosis diagnose(const BelievedCase& believed, const std::vector<Observation>& observations, const DiagnoseOptions& options);
+Diagnosis diagnose(const BelievedCase& believed, const std::vector<Observation>& observations,
+                   const DiagnoseOptions& options);
 
 }  // namespace railpem::diagnosis

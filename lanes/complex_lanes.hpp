@@ -19,7 +19,9 @@ inline constexpr int width = 4;
 /// One real number per lane.
 using Real = double __attribute__((vector_size(width * sizeof(double))));
 
-inline Real broadcast(double value) { return Real{} + value; }
+inline Real broadcast(double value) {
+    return Real{} + value;
+}
 
 inline Real sqrt(Real x) {
     Real result;
@@ -42,28 +44,58 @@ struct Complex {
         re[lane] = value.real();
         im[lane] = value.imag();
     }
-    Complex& operator+=(const Complex& b) { re += b.re; im += b.im; return *this; }
-    Complex& operator-=(const Complex& b) { re -= b.re; im -= b.im; return *this; }
+    Complex& operator+=(const Complex& b) {
+        re += b.re;
+        im += b.im;
+        return *this;
+    }
+    Complex& operator-=(const Complex& b) {
+        re -= b.re;
+        im -= b.im;
+        return *this;
+    }
 };
 
-inline Complex operator+(const Complex& a, const Complex& b) { return {a.re + b.re, a.im + b.im}; }
-inline Complex operator-(const Complex& a, const Complex& b) { return {a.re - b.re, a.im - b.im}; }
-inline Complex operator-(const Complex& a) { return {-a.re, -a.im}; }
-inline Complex operator*(const Complex& a, const Complex& b) { return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re}; }
-inline Complex operator*(const Complex& a, Real b) { return {a.re * b, a.im * b}; }
-inline Complex operator*(const Complex& a, double b) { return {a.re * b, a.im * b}; }
-inline Complex operator+(const Complex& a, Real b) { return {a.re + b, a.im}; }
-inline Complex operator+(const Complex& a, double b) { return {a.re + b, a.im}; }
+inline Complex operator+(const Complex& a, const Complex& b) {
+    return {a.re + b.re, a.im + b.im};
+}
+inline Complex operator-(const Complex& a, const Complex& b) {
+    return {a.re - b.re, a.im - b.im};
+}
+inline Complex operator-(const Complex& a) {
+    return {-a.re, -a.im};
+}
+inline Complex operator*(const Complex& a, const Complex& b) {
+    return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
+}
+inline Complex operator*(const Complex& a, Real b) {
+    return {a.re * b, a.im * b};
+}
+inline Complex operator*(const Complex& a, double b) {
+    return {a.re * b, a.im * b};
+}
+inline Complex operator+(const Complex& a, Real b) {
+    return {a.re + b, a.im};
+}
+inline Complex operator+(const Complex& a, double b) {
+    return {a.re + b, a.im};
+}
 
-inline Real norm(const Complex& a) { return a.re * a.re + a.im * a.im; }
+inline Real norm(const Complex& a) {
+    return a.re * a.re + a.im * a.im;
+}
 inline Complex reciprocal(const Complex& a) {
     const Real scale = 1.0 / norm(a);
     return {a.re * scale, -a.im * scale};
 }
-inline Complex operator/(const Complex& a, const Complex& b) { return a * reciprocal(b); }
+inline Complex operator/(const Complex& a, const Complex& b) {
+    return a * reciprocal(b);
+}
 
 /// i·x·a
-inline Complex times_i(const Complex& a, Real x) { return {-a.im * x, a.re * x}; }
+inline Complex times_i(const Complex& a, Real x) {
+    return {-a.im * x, a.re * x};
+}
 
 /// Principal square root (real part ≥ 0), lane by lane.
 inline Complex sqrt(const Complex& a) {
@@ -87,13 +119,21 @@ struct Matrix2 {
     Complex a, b, c, d;  ///< [a b; c d]
 };
 
-inline Matrix2 operator+(const Matrix2& x, const Matrix2& y) { return {x.a + y.a, x.b + y.b, x.c + y.c, x.d + y.d}; }
-inline Matrix2 operator-(const Matrix2& x, const Matrix2& y) { return {x.a - y.a, x.b - y.b, x.c - y.c, x.d - y.d}; }
+inline Matrix2 operator+(const Matrix2& x, const Matrix2& y) {
+    return {x.a + y.a, x.b + y.b, x.c + y.c, x.d + y.d};
+}
+inline Matrix2 operator-(const Matrix2& x, const Matrix2& y) {
+    return {x.a - y.a, x.b - y.b, x.c - y.c, x.d - y.d};
+}
 inline Matrix2 operator*(const Matrix2& x, const Matrix2& y) {
     return {x.a * y.a + x.b * y.c, x.a * y.b + x.b * y.d, x.c * y.a + x.d * y.c, x.c * y.b + x.d * y.d};
 }
-inline Matrix2 operator*(const Matrix2& x, const Complex& s) { return {x.a * s, x.b * s, x.c * s, x.d * s}; }
-inline Matrix2 transpose(const Matrix2& x) { return {x.a, x.c, x.b, x.d}; }
+inline Matrix2 operator*(const Matrix2& x, const Complex& s) {
+    return {x.a * s, x.b * s, x.c * s, x.d * s};
+}
+inline Matrix2 transpose(const Matrix2& x) {
+    return {x.a, x.c, x.b, x.d};
+}
 inline Matrix2 inverse(const Matrix2& x) {
     const Complex scale = reciprocal(x.a * x.d - x.b * x.c);
     return {x.d * scale, -(x.b * scale), -(x.c * scale), x.a * scale};
@@ -102,8 +142,14 @@ inline Matrix2 inverse(const Matrix2& x) {
 struct Vector2 {
     Complex a, b;
 };
-inline Vector2 operator+(const Vector2& x, const Vector2& y) { return {x.a + y.a, x.b + y.b}; }
-inline Vector2 operator-(const Vector2& x, const Vector2& y) { return {x.a - y.a, x.b - y.b}; }
-inline Vector2 operator*(const Matrix2& m, const Vector2& v) { return {m.a * v.a + m.b * v.b, m.c * v.a + m.d * v.b}; }
+inline Vector2 operator+(const Vector2& x, const Vector2& y) {
+    return {x.a + y.a, x.b + y.b};
+}
+inline Vector2 operator-(const Vector2& x, const Vector2& y) {
+    return {x.a - y.a, x.b - y.b};
+}
+inline Vector2 operator*(const Matrix2& m, const Vector2& v) {
+    return {m.a * v.a + m.b * v.b, m.c * v.a + m.d * v.b};
+}
 
 }  // namespace railpem::lanes

@@ -44,15 +44,18 @@ struct FactorCurve {
         const std::size_t i = static_cast<std::size_t>(above - frequency_hz.begin());
         const Places places(frequency_hz, i);
         const double step = places(i) - places(i - 1), t = (std::log(f) - places(i - 1)) / step;
-        const std::complex<double> rise = value[i] - value[i - 1], from = step * slope(places, i - 1) - rise, to = rise - step * slope(places, i);
+        const std::complex<double> rise = value[i] - value[i - 1], from = step * slope(places, i - 1) - rise,
+                                   to = rise - step * slope(places, i);
         return value[i - 1] + t * rise + t * (1.0 - t) * ((1.0 - t) * from + t * to);
     }
 
     /// Logarithms of the nodes about the interval that ends at one: each is asked for up to six times.
     class Places {
       public:
-        Places(const std::vector<double>& nodes, std::size_t end) : first_(end < 2 ? 0 : std::min(end - 2, nodes.size() < 3 ? 0 : nodes.size() - 3)) {
-            for (std::size_t k = first_; k < std::min(first_ + 4, nodes.size()); ++k) log_[k - first_] = std::log(nodes[k]);
+        Places(const std::vector<double>& nodes, std::size_t end)
+            : first_(end < 2 ? 0 : std::min(end - 2, nodes.size() < 3 ? 0 : nodes.size() - 3)) {
+            for (std::size_t k = first_; k < std::min(first_ + 4, nodes.size()); ++k)
+                log_[k - first_] = std::log(nodes[k]);
         }
         double operator()(std::size_t node) const { return log_[node - first_]; }
 
@@ -61,12 +64,14 @@ struct FactorCurve {
         double log_[4];
     };
 
-    /// Over the logarithm of frequency: that of the parabola through the node and its neighbours, at an end through the first or last three nodes.
+    /// Over the logarithm of frequency: that of the parabola through the node and its neighbours, at an end through the
+    /// first or last three nodes.
     std::complex<double> slope(const Places& places, std::size_t node) const {
         if (value.size() < 3) return (value[1] - value[0]) / (places(1) - places(0));
         const std::size_t middle = std::clamp<std::size_t>(node, 1, value.size() - 2);
         const double before = places(middle) - places(middle - 1), after = places(middle + 1) - places(middle);
-        const std::complex<double> left = (value[middle] - value[middle - 1]) / before, right = (value[middle + 1] - value[middle]) / after;
+        const std::complex<double> left = (value[middle] - value[middle - 1]) / before,
+                                   right = (value[middle + 1] - value[middle]) / after;
         const std::complex<double> bend = (right - left) / (before + after);  // half the second derivative
         return node < middle ? left - before * bend : node > middle ? right + after * bend : left + before * bend;
     }

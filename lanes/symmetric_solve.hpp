@@ -15,7 +15,9 @@ class SymmetricMatrix {
     explicit SymmetricMatrix(int size) : size_(size), entries_(static_cast<std::size_t>(size * (size + 1) / 2)) {}
 
     int size() const { return size_; }
-    void clear() { for (Complex& entry : entries_) entry = Complex{}; }
+    void clear() {
+        for (Complex& entry : entries_) entry = Complex{};
+    }
     /// Entry (row, column) of the lower triangle: row ≥ column.
     Complex& operator()(int row, int column) {
         assert(row >= column);

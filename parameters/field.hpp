@@ -27,16 +27,16 @@ struct Range {
     std::string text() const;           ///< in words, for messages: "greater than 0", "between 0 and 1"
 };
 
-Range positive();                         ///< (0, ∞)
-Range not_negative();                     ///< [0, ∞)
-Range positive_or_infinite();              ///< (0, ∞]
-Range between(double low, double high);   ///< [low, high]
-Range any_number();                       ///< every finite number
+Range positive();                        ///< (0, ∞)
+Range not_negative();                    ///< [0, ∞)
+Range positive_or_infinite();            ///< (0, ∞]
+Range between(double low, double high);  ///< [low, high]
+Range any_number();                      ///< every finite number
 
 /// Everything about a parameter but where it is stored.
 struct Description {
-    std::string key;      ///< as in the file, within its table
-    std::string unit;     ///< SI, "1" when it has none, "" for what is not a number
+    std::string key;   ///< as in the file, within its table
+    std::string unit;  ///< SI, "1" when it has none, "" for what is not a number
     Kind kind = Kind::number;
     Range range;
     std::vector<std::string> choices;  ///< for Kind::choice
@@ -54,51 +54,69 @@ struct Field {
     std::function<Value(const Owner&)> get;
     std::function<void(Owner&, const Value&)> set;
 
-    Field required() const { auto copy = *this; copy.description.required = true; return copy; }
-    Field tolerance(double relative) const { auto copy = *this; copy.description.tolerance = relative; return copy; }
-    Field source(std::string text) const { auto copy = *this; copy.description.source = std::move(text); return copy; }
+    Field required() const {
+        auto copy = *this;
+        copy.description.required = true;
+        return copy;
+    }
+    Field tolerance(double relative) const {
+        auto copy = *this;
+        copy.description.tolerance = relative;
+        return copy;
+    }
+    Field source(std::string text) const {
+        auto copy = *this;
+        copy.description.source = std::move(text);
+        return copy;
+    }
 };
 
 template <class Owner>
 using Fields = std::vector<Field<Owner>>;
 
 template <class Owner, class Member>
-Field<Owner> plain_field(Kind kind, Member Owner::* member, Description description) {
+Field<Owner> plain_field(Kind kind, Member Owner::*member, Description description) {
     description.kind = kind;
     return {std::move(description), [member](const Owner& owner) { return Value(owner.*member); },
             [member](Owner& owner, const Value& value) { owner.*member = std::get<Member>(value); }};
 }
 
 template <class Owner>
-Field<Owner> number(double Owner::* member, std::string key, std::string unit, Range range, std::string says) {
-    return plain_field(Kind::number, member, {.key = std::move(key), .unit = std::move(unit), .range = range, .says = std::move(says)});
+Field<Owner> number(double Owner::*member, std::string key, std::string unit, Range range, std::string says) {
+    return plain_field(Kind::number, member,
+                       {.key = std::move(key), .unit = std::move(unit), .range = range, .says = std::move(says)});
 }
 
 template <class Owner>
-Field<Owner> numbers(std::vector<double> Owner::* member, std::string key, std::string unit, Range range, std::string says) {
-    return plain_field(Kind::numbers, member, {.key = std::move(key), .unit = std::move(unit), .range = range, .says = std::move(says)});
+Field<Owner> numbers(std::vector<double> Owner::*member, std::string key, std::string unit, Range range,
+                     std::string says) {
+    return plain_field(Kind::numbers, member,
+                       {.key = std::move(key), .unit = std::move(unit), .range = range, .says = std::move(says)});
 }
 
 template <class Owner>
-Field<Owner> boolean(bool Owner::* member, std::string key, std::string says) {
+Field<Owner> boolean(bool Owner::*member, std::string key, std::string says) {
     return plain_field(Kind::boolean, member, {.key = std::move(key), .says = std::move(says)});
 }
 
 template <class Owner>
-Field<Owner> text(std::string Owner::* member, std::string key, std::string says) {
+Field<Owner> text(std::string Owner::*member, std::string key, std::string says) {
     return plain_field(Kind::text, member, {.key = std::move(key), .says = std::move(says)});
 }
 
 template <class Owner>
-Field<Owner> integer(int Owner::* member, std::string key, Range range, std::string says) {
-    Description description{.key = std::move(key), .unit = "1", .kind = Kind::integer, .range = range, .says = std::move(says)};
+Field<Owner> integer(int Owner::*member, std::string key, Range range, std::string says) {
+    Description description{
+        .key = std::move(key), .unit = "1", .kind = Kind::integer, .range = range, .says = std::move(says)};
     return {std::move(description), [member](const Owner& owner) { return Value(std::int64_t{owner.*member}); },
-            [member](Owner& owner, const Value& value) { owner.*member = static_cast<int>(std::get<std::int64_t>(value)); }};
+            [member](Owner& owner, const Value& value) {
+                owner.*member = static_cast<int>(std::get<std::int64_t>(value));
+            }};
 }
 
 /// An enumeration whose values are 0, 1, 2, … in the order of `choices`.
 template <class Owner, class Enumeration>
-Field<Owner> choice(Enumeration Owner::* member, std::string key, std::vector<std::string> choices, std::string says) {
+Field<Owner> choice(Enumeration Owner::*member, std::string key, std::vector<std::string> choices, std::string says) {
     Description description{.key = std::move(key), .kind = Kind::choice, .choices = choices, .says = std::move(says)};
     return {std::move(description),
             [member, choices](const Owner& owner) { return Value(choices[static_cast<std::size_t>(owner.*member)]); },

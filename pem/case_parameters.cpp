@@ -6,7 +6,7 @@
 #include <functional>
 
 #include "parameters/parameter_error.hpp"
-#include "pem/sensor_chain.hpp"
+#include "pem/coupling/sensor_chain.hpp"
 
 namespace railpem::pem {
 
@@ -19,8 +19,11 @@ Fields<CaseParameters> case_fields() {
 Fields<RunningParameters> running_fields() {
     using R = RunningParameters;
     return {
-        numbers(&R::speeds_m_per_s, "speeds_m_per_s", "m/s", {.low = 0.0, .high = 200.0, .low_open = true}, "one speed or a list").required(),
-        number(&R::speed_fluctuation, "speed_fluctuation", "1", between(1e-5, 0.05), "relative standard deviation of the speed: the width of every line"),
+        numbers(&R::speeds_m_per_s, "speeds_m_per_s", "m/s", {.low = 0.0, .high = 200.0, .low_open = true},
+                "one speed or a list")
+            .required(),
+        number(&R::speed_fluctuation, "speed_fluctuation", "1", between(1e-5, 0.05),
+               "relative standard deviation of the speed: the width of every line"),
     };
 }
 
@@ -28,7 +31,9 @@ Fields<FrequencyParameters> frequency_fields() {
     using F = FrequencyParameters;
     return {
         number(&F::from_hz, "from_hz", "Hz", positive(), "first frequency line").required(),
-        number(&F::to_hz, "to_hz", "Hz", {.low = 0.0, .high = 10000.0, .low_open = true}, "last frequency line, at most").required(),
+        number(&F::to_hz, "to_hz", "Hz", {.low = 0.0, .high = 10000.0, .low_open = true},
+               "last frequency line, at most")
+            .required(),
         number(&F::step_hz, "step_hz", "Hz", positive(), "distance of the lines").required(),
     };
 }
@@ -36,19 +41,29 @@ Fields<FrequencyParameters> frequency_fields() {
 Fields<SolverParameters> solver_fields() {
     using S = SolverParameters;
     return {
-        choice(&S::rail, "rail", {"exact", "modal"}, "exact: infinite track, nothing truncated; modal: simply supported rail of finite length"),
+        choice(&S::rail, "rail", {"exact", "modal"},
+               "exact: infinite track, nothing truncated; modal: simply supported rail of finite length"),
         integer(&S::modes, "modes", between(1, 5000), "modal only: bending modes of the rail"),
-        integer(&S::pads, "pads", between(1, 2001), "modal only: number of pads on the finite rail, spread evenly about the centre of the car"),
-        boolean(&S::moving, "moving", "add what the wheels' motion along the rail changes in its receptance and in the pads' load (off in the paper)"),
+        integer(&S::pads, "pads", between(1, 2001),
+                "modal only: number of pads on the finite rail, spread evenly about the centre of the car"),
+        boolean(&S::moving, "moving",
+                "add what the wheels' motion along the rail changes in its receptance and in the pads' load (off in "
+                "the paper)"),
     };
 }
 
 Fields<ContactParameters> contact_fields() {
     using C = ContactParameters;
     return {
-        number(&C::constant_m_per_n23, "constant_m_per_n23", "m/N^(2/3)", not_negative(), "contact constant G; 0: worn tread, 3.86e-8 R^-0.115").tolerance(0.15).source("Zhai, worn profile tread"),
-        number(&C::nonlinearity_factor, "nonlinearity_factor", "1", between(0.0, 5.0), "share of the Hertz law's nonlinearity that is felt: 0 linear, 1 Hertz"),
-        number(&C::patch_half_length_m, "patch_half_length_m", "m", between(0.0, 0.05), "half length of the contact patch; 0: a point").source("Remington 1987"),
+        number(&C::constant_m_per_n23, "constant_m_per_n23", "m/N^(2/3)", not_negative(),
+               "contact constant G; 0: worn tread, 3.86e-8 R^-0.115")
+            .tolerance(0.15)
+            .source("Zhai, worn profile tread"),
+        number(&C::nonlinearity_factor, "nonlinearity_factor", "1", between(0.0, 5.0),
+               "share of the Hertz law's nonlinearity that is felt: 0 linear, 1 Hertz"),
+        number(&C::patch_half_length_m, "patch_half_length_m", "m", between(0.0, 0.05),
+               "half length of the contact patch; 0: a point")
+            .source("Remington 1987"),
     };
 }
 
@@ -62,7 +77,8 @@ Fields<WheelOutOfRoundness> wheel_out_of_roundness_fields() {
 }
 
 Fields<SleeperPassing> sleeper_passing_fields() {
-    return {number(&SleeperPassing::amplitude_factor, "amplitude_factor", "1", between(0.0, 100.0), "0: not modelled; 1: as the case's own compliance over a bay gives")};
+    return {number(&SleeperPassing::amplitude_factor, "amplitude_factor", "1", between(0.0, 100.0),
+                   "0: not modelled; 1: as the case's own compliance over a bay gives")};
 }
 
 Fields<DecayRateReference> decay_rate_reference_fields() {
@@ -79,17 +95,20 @@ Fields<SensorParameters> sensor_fields() {
     return {
         text(&S::channel, "channel", "name of the channel, e.g. axlebox_1").required(),
         number(&S::gain, "gain", "1", any_number(), "gain; negative: inverted"),
-        number(&S::resonance_frequency_hz, "resonance_frequency_hz", "Hz", not_negative(), "resonance of the mounting; 0: rigid"),
+        number(&S::resonance_frequency_hz, "resonance_frequency_hz", "Hz", not_negative(),
+               "resonance of the mounting; 0: rigid"),
         number(&S::resonance_damping_ratio, "resonance_damping_ratio", "1", between(0.0, 1.0), "its damping ratio"),
         number(&S::noise_rms_m_per_s2, "noise_rms_m_per_s2", "m/s^2", not_negative(), "rms of additive noise"),
-        number(&S::noise_slope_db_per_octave, "noise_slope_db_per_octave", "dB", between(-20.0, 20.0), "slope of the noise spectrum"),
+        number(&S::noise_slope_db_per_octave, "noise_slope_db_per_octave", "dB", between(-20.0, 20.0),
+               "slope of the noise spectrum"),
         number(&S::delay_s, "delay_s", "s", between(-10.0, 10.0), "the channel is late by this time"),
     };
 }
 
 double WheelsOwn::at(double frequency) const {
     double own = 0.0;
-    for (std::size_t node = 0; node < frequency_hz.size(); ++node) own += vehicle::ForceSpectrum::weight(frequency_hz, node, frequency) * share[node];
+    for (std::size_t node = 0; node < frequency_hz.size(); ++node)
+        own += vehicle::ForceSpectrum::weight(frequency_hz, node, frequency) * share[node];
     return own;
 }
 
@@ -108,20 +127,26 @@ void check_modal_length(const CaseParameters& parameters) {
     const double half = 0.5 * (parameters.solver.pads - 1) * parameters.track.spacing_m;
     const double foremost = vehicle::wheel_positions(parameters.vehicle).front();
     if (foremost > half)
-        throw ParameterError("solver.pads", fmt::format("wheel 1 stands at {:g} m, off the track, which ends at {:g} m", foremost, half),
-                             "more pads, or a shorter vehicle");
+        throw ParameterError(
+            "solver.pads", fmt::format("wheel 1 stands at {:g} m, off the track, which ends at {:g} m", foremost, half),
+            "more pads, or a shorter vehicle");
 }
 
 void check_reference(const DecayRateReference& reference) {
     const std::size_t count = reference.centre_hz.size();
     if (reference.ratio.size() != count || reference.relative_error.size() != count)
-        throw ParameterError("decay_rate_reference.ratio", fmt::format("{} ratios and {} errors for {} third-octaves", reference.ratio.size(), reference.relative_error.size(), count),
+        throw ParameterError("decay_rate_reference.ratio",
+                             fmt::format("{} ratios and {} errors for {} third-octaves", reference.ratio.size(),
+                                         reference.relative_error.size(), count),
                              "one of each per third-octave");
-    if (std::adjacent_find(reference.centre_hz.begin(), reference.centre_hz.end(), std::greater_equal<>()) != reference.centre_hz.end())
-        throw ParameterError("decay_rate_reference.centre_hz", "the values do not increase", "strictly increasing values");
+    if (std::adjacent_find(reference.centre_hz.begin(), reference.centre_hz.end(), std::greater_equal<>()) !=
+        reference.centre_hz.end())
+        throw ParameterError("decay_rate_reference.centre_hz", "the values do not increase",
+                             "strictly increasing values");
 }
 
-/// Every band of wavelengths must turn into frequencies of the grid at this speed: one that does not was meant otherwise.
+/// Every band of wavelengths must turn into frequencies of the grid at this speed: one that does not was meant
+/// otherwise.
 void check_bands_excite(const CaseParameters& parameters, double speed) {
     const FrequencyParameters& grid = parameters.frequency;
     for (std::size_t i = 0; i < parameters.irregularity.bands.size(); ++i) {
@@ -129,10 +154,13 @@ void check_bands_excite(const CaseParameters& parameters, double speed) {
         const double lowest = speed / band.longest_wavelength_m;
         const double highest = speed / band.shortest_wavelength_m;
         if (highest >= grid.from_hz && lowest <= grid.to_hz) continue;
-        throw ParameterError(spectra::element_key("band", i) + ".shortest_wavelength_m",
-                             fmt::format("at {:g} m/s wavelengths of {:g} to {:g} m excite {:g} to {:g} Hz, none of it between {:g} and {:g} Hz", speed,
-                                         band.shortest_wavelength_m, band.longest_wavelength_m, lowest, highest, grid.from_hz, grid.to_hz),
-                             "a band of wavelengths that the speed turns into frequencies of the grid");
+        throw ParameterError(
+            spectra::element_key("band", i) + ".shortest_wavelength_m",
+            fmt::format(
+                "at {:g} m/s wavelengths of {:g} to {:g} m excite {:g} to {:g} Hz, none of it between {:g} and {:g} Hz",
+                speed, band.shortest_wavelength_m, band.longest_wavelength_m, lowest, highest, grid.from_hz,
+                grid.to_hz),
+            "a band of wavelengths that the speed turns into frequencies of the grid");
     }
 }
 

@@ -16,7 +16,8 @@ namespace railpem::pem {
 
 struct RunningParameters {
     std::vector<double> speeds_m_per_s;
-    /// Relative standard deviation of the speed within a record: widens every line (sleeper passing, wheel orders, joints).
+    /// Relative standard deviation of the speed within a record: widens every line (sleeper passing, wheel orders,
+    /// joints).
     double speed_fluctuation = 0.001;
 };
 
@@ -36,16 +37,18 @@ struct SolverParameters {
     bool moving = false;  ///< add what the motion of the wheels along the rail changes in its receptance
 };
 
-/// What a track was measured to have when this case was fitted to it, by what the case says: a later state of the same track is held against the same ratios.
-/// Only what has changed is then left to be explained. One element each per third-octave; empty: nothing is known.
+/// What a track was measured to have when this case was fitted to it, by what the case says: a later state of the same
+/// track is held against the same ratios. Only what has changed is then left to be explained. One element each per
+/// third-octave; empty: nothing is known.
 struct DecayRateReference {
     std::vector<double> centre_hz;       ///< increasing
     std::vector<double> ratio;           ///< measured by predicted
     std::vector<double> relative_error;  ///< of the measurement: standard deviation of the logarithm
 };
 
-/// What each wheel meets by itself, incoherent from wheel to wheel, as a share of the power of the irregularity: what seats that are not alike, a play of the fastenings or
-/// ground that changes along the line leave beside the mean of a uniform track. Straight over the logarithm of frequency between nodes; no nodes: nothing.
+/// What each wheel meets by itself, incoherent from wheel to wheel, as a share of the power of the irregularity: what
+/// seats that are not alike, a play of the fastenings or ground that changes along the line leave beside the mean of a
+/// uniform track. Straight over the logarithm of frequency between nodes; no nodes: nothing.
 struct WheelsOwn {
     std::vector<double> frequency_hz;  ///< > 0, increasing
     std::vector<double> share;         ///< one per node, ≥ 0
@@ -68,7 +71,8 @@ struct CaseParameters {
     std::vector<WheelOutOfRoundness> wheel_out_of_roundness;
     WheelsOwn wheels_own;
     std::vector<SensorParameters> sensors;
-    /// Relative standard deviations of believed values by dotted key, where they differ from the defaults of the fields.
+    /// Relative standard deviations of believed values by dotted key, where they differ from the defaults of the
+    /// fields.
     std::map<std::string, double> tolerances;
 };
 

@@ -19,12 +19,15 @@ double contact_approach(double nonlinearity, double load_ratio) {
     const double load = std::max(0.0, load_ratio);
     if (nonlinearity == 0.0) return (2.0 * load + 1.0) / 3.0;
     if (nonlinearity == 1.0) return std::cbrt(load * load);
-    const auto carried = [&](double y) { return nonlinearity * y * std::sqrt(y) + (1.0 - nonlinearity) * 0.5 * (3.0 * y - 1.0); };
+    const auto carried = [&](double y) {
+        return nonlinearity * y * std::sqrt(y) + (1.0 - nonlinearity) * 0.5 * (3.0 * y - 1.0);
+    };
     if (nonlinearity > 1.0) {
         const double turn = std::pow((nonlinearity - 1.0) / nonlinearity, 2);  // where the slope vanishes
         if (load < carried(turn)) return turn * load / carried(turn);
     }
-    double y = (2.0 * load + 1.0) / 3.0;  // on the tangent at rest, beyond the root: the law bends upwards, and Newton's steps come down to it
+    // on the tangent at rest, beyond the root: the law bends upwards, and Newton's steps come down to it
+    double y = (2.0 * load + 1.0) / 3.0;
     for (int i = 0; i < 50; ++i) {
         const double step = (carried(y) - load) / (1.5 * (nonlinearity * std::sqrt(y) + 1.0 - nonlinearity));
         y -= step;

@@ -5,7 +5,8 @@
 
 namespace railpem::pem {
 
-/// E[value(ξ)] for standard Gaussian ξ, a number or an array of them, by the midpoint rule over ±9: of smooth values to rounding, and of those that bend at the end of a contact as well as their bend allows.
+/// E[value(ξ)] for standard Gaussian ξ, a number or an array of them, by the midpoint rule over ±9: of smooth values to
+/// rounding, and of those that bend at the end of a contact as well as their bend allows.
 template <class Function>
 auto gaussian_mean(Function&& value) {
     constexpr int kPoints = 800;

@@ -11,7 +11,8 @@ struct Linearisation {
     std::array<double, 4> primary_velocity_m_per_s{};    ///< rms velocity across each primary element
     std::array<double, 2> secondary_velocity_m_per_s{};  ///< and each secondary
     std::array<double, 4> contact_compression_m{};       ///< rms of the contact compression about its mean
-    std::array<double, 4> loss_of_contact_probability{}; ///< share of time without contact under the Gaussian assumption
+    /// share of time without contact under the Gaussian assumption
+    std::array<double, 4> loss_of_contact_probability{};
 };
 
 }  // namespace railpem::pem

@@ -25,7 +25,8 @@ struct SleeperPassing {
 
 /// What the acquisition chain does to one channel: gain (negative: inverted), mounting resonance (second-order low pass
 /// 1/(1 − (f/f_m)² + 2iζf/f_m)), delay (later: positive), and additive noise with PSD S(f) = rms²-normalised
-/// (f/10 Hz)^(slope/(10·log10 2)) between 0.5 Hz and half the sampling rate (slope in dB per octave, negative: 1/f-like).
+/// (f/10 Hz)^(slope/(10·log10 2)) between 0.5 Hz and half the sampling rate (slope in dB per octave, negative:
+/// 1/f-like).
 struct SensorParameters {
     std::string channel;
     double gain = 1.0;
@@ -34,7 +35,8 @@ struct SensorParameters {
     double noise_rms_m_per_s2 = 0.0;
     double noise_slope_db_per_octave = 0.0;
     double delay_s = 0.0;
-    lanes::FactorCurve correction;  ///< factor on the transfer (not on the noise); free correction of a diagnosis, 1 when empty
+    /// factor on the transfer (not on the noise); free correction of a diagnosis, 1 when empty
+    lanes::FactorCurve correction;
 };
 
 parameters::Fields<WheelOutOfRoundness> wheel_out_of_roundness_fields();

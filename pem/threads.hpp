@@ -28,7 +28,8 @@ inline int thread_number() {
 #endif
 }
 
-/// Carries the first exception of a team of threads past the end of its parallel region, which none may leave by throwing.
+/// Carries the first exception of a team of threads past the end of its parallel region, which none may leave by
+/// throwing.
 class TeamFailure {
   public:
     /// Runs `work`, or nothing after something has failed in any thread.

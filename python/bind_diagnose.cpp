@@ -1,11 +1,11 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
-#include "app/diagnosed_case.hpp"
-#include "app/diagnosis_json.hpp"
-#include "app/diagnosis_report.hpp"
-#include "app/diagnosis_request.hpp"
 #include "app/output_folder.hpp"
+#include "app/report/diagnosis_report.hpp"
+#include "app/schema/diagnosed_case.hpp"
+#include "app/tables/diagnosis_json.hpp"
+#include "app/verbs/diagnosis_request.hpp"
 #include "python/array_view.hpp"
 #include "python/bindings.hpp"
 #include "python/interruption.hpp"
@@ -21,18 +21,29 @@ struct Diagnosis {
     app::DiagnosisRequest request;
 };
 
-std::unique_ptr<Diagnosis> diagnose(const Case& believed, const std::vector<std::filesystem::path>& paths, double window_s, double held_out, int most_effects,
+std::unique_ptr<Diagnosis> diagnose(const Case& believed, const std::vector<std::filesystem::path>& paths,
+                                    double window_s, double held_out, int most_effects,
                                     const std::vector<std::string>& without, int threads) {
-    if (!(window_s >= 0.25 && window_s <= 60.0)) throw app::InputError("window_s: no such window\nallowed: between 0.25 and 60 s");
-    if (!(held_out >= 0.1 && held_out <= 0.5)) throw app::InputError("held_out: no such share\nallowed: between 0.1 and 0.5");
-    if (most_effects < 1 || most_effects > 4) throw app::InputError("most_effects: cannot be so many\nallowed: between 1 and 4");
+    if (!(window_s >= 0.25 && window_s <= 60.0))
+        throw app::InputError("window_s: no such window\nallowed: between 0.25 and 60 s");
+    if (!(held_out >= 0.1 && held_out <= 0.5))
+        throw app::InputError("held_out: no such share\nallowed: between 0.1 and 0.5");
+    if (most_effects < 1 || most_effects > 4)
+        throw app::InputError("most_effects: cannot be so many\nallowed: between 1 and 4");
     if (paths.empty()) throw app::InputError("recordings: there is none\nallowed: at least one");
-    app::DiagnosisRequest request{.case_path = believed.path, .recordings = {}, .without = without, .set = believed.changes, .window_s = window_s, .held_out = held_out,
-                                  .threads = threads, .most_effects = most_effects};
+    app::DiagnosisRequest request{.case_path = believed.path,
+                                  .recordings = {},
+                                  .without = without,
+                                  .set = believed.changes,
+                                  .window_s = window_s,
+                                  .held_out = held_out,
+                                  .threads = threads,
+                                  .most_effects = most_effects};
     for (const std::filesystem::path& path : paths) request.recordings.push_back(path.string());
     return interruptible([&](Interruption& interruption) {
         auto result = std::make_unique<Diagnosis>();
-        const app::DiagnosisObserver observer{.progress = [](double) {}, .interrupted = [&] { return interruption.asked(); }};
+        const app::DiagnosisObserver observer{.progress = [](double) {},
+                                              .interrupted = [&] { return interruption.asked(); }};
         result->result = app::run_diagnosis(*believed.file, request, observer, [] {});
         result->request = request;
         return result;
@@ -58,7 +69,8 @@ py::dict comparison(const py::object& object, const diagnosis::ChannelComparison
 
 py::list channels(const py::object& object) {
     py::list list;
-    for (const diagnosis::ChannelComparison& channel : object.cast<const Diagnosis&>().result.channels) list.append(comparison(object, channel));
+    for (const diagnosis::ChannelComparison& channel : object.cast<const Diagnosis&>().result.channels)
+        list.append(comparison(object, channel));
     return list;
 }
 
@@ -73,16 +85,20 @@ std::filesystem::path save_diagnosis(const Diagnosis& self, const std::filesyste
 
 void bind_diagnose(py::module_& module) {
     py::class_<Diagnosis>(module, "Diagnosis", "What a believed case left out, told from recordings.")
-        .def_property_readonly("verdict", [](const Diagnosis& self) { return diagnosis::verdict_name(self.result.verdict); },
-                               "consistent, explained, ambiguous, unexplained or recording-fault.")
+        .def_property_readonly(
+            "verdict", [](const Diagnosis& self) { return diagnosis::verdict_name(self.result.verdict); },
+            "consistent, explained, ambiguous, unexplained or recording-fault.")
         .def_property_readonly("statement", [](const Diagnosis& self) { return self.result.statement; })
-        .def_property_readonly("channels", &channels, "Per recording and channel: measured (with low and high), believed, retuned and diagnosed spectra.")
-        .def("diagnosed_toml", [](const Diagnosis& self) { return app::diagnosed_case_text(self.result); },
-             "The case with the named physics; its irregularity is a file that save_diagnosis() writes beside it.")
+        .def_property_readonly(
+            "channels", &channels,
+            "Per recording and channel: measured (with low and high), believed, retuned and diagnosed spectra.")
+        .def(
+            "diagnosed_toml", [](const Diagnosis& self) { return app::diagnosed_case_text(self.result); },
+            "The case with the named physics; its irregularity is a file that save_diagnosis() writes beside it.")
         .def("save", &save_diagnosis, py::arg("folder"), "Every file that `railpem diagnose` writes; gives the folder.")
         .def("_json", [](const Diagnosis& self) { return app::diagnosis_json(self.result); });
-    module.def("_diagnose", &diagnose, py::arg("case"), py::arg("recordings"), py::arg("window_s"), py::arg("held_out"), py::arg("most_effects"), py::arg("without"),
-               py::arg("threads"));
+    module.def("_diagnose", &diagnose, py::arg("case"), py::arg("recordings"), py::arg("window_s"), py::arg("held_out"),
+               py::arg("most_effects"), py::arg("without"), py::arg("threads"));
 }
 
 }  // namespace railpem::python

@@ -4,13 +4,13 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/inspection_beliefs.hpp"
-#include "app/recording_schema.hpp"
+#include "app/schema/recording_schema.hpp"
+#include "app/verbs/inspection_beliefs.hpp"
 #include "python/array_view.hpp"
 #include "python/bindings.hpp"
 #include "python/interruption.hpp"
-#include "recordings/inspection.hpp"
-#include "recordings/inspection_writers.hpp"
+#include "recordings/inspection/inspection.hpp"
+#include "recordings/inspection/inspection_writers.hpp"
 
 namespace railpem::python {
 
@@ -23,8 +23,11 @@ using Report = recordings::InspectionReport;
 std::unique_ptr<Report> inspect(const std::filesystem::path& path, const Case* believed) {
     return interruptible([&](Interruption&) {
         const app::RecordingFile file = app::read_recording(path.string());
-        const recordings::InspectionContext context = believed ? app::inspection_beliefs(*believed->file, file) : recordings::InspectionContext{};
-        return app::reading_data(file, [&] { return std::make_unique<Report>(recordings::inspect_file(file.description, file.base, context)); });
+        const recordings::InspectionContext context =
+            believed ? app::inspection_beliefs(*believed->file, file) : recordings::InspectionContext{};
+        return app::reading_data(file, [&] {
+            return std::make_unique<Report>(recordings::inspect_file(file.description, file.base, context));
+        });
     });
 }
 
@@ -56,13 +59,16 @@ void bind_inspect(py::module_& module) {
         .def_property_readonly("names", &inspected_channels)
         .def_property_readonly("duration_s", [](const Report& self) { return self.duration_s; })
         .def_property_readonly("sampling_rate_hz", [](const Report& self) { return self.sampling_rate_hz; })
-        .def_property_readonly("frequency_hz", [](const py::object& self) { return array_view(self.cast<const Report&>().frequency_hz, self); })
+        .def_property_readonly(
+            "frequency_hz",
+            [](const py::object& self) { return array_view(self.cast<const Report&>().frequency_hz, self); })
         .def("__getitem__", &psd, "One-sided PSD of a channel on frequency_hz, SI unit squared per Hz.")
         .def("text", &recordings::to_text, "The screen of text that `railpem inspect` prints.")
         .def("html", &recordings::to_html, "A page that needs nothing beside it.")
         .def("_json", [](const Report& self) { return recordings::to_json(self).dump(); });
     module.def("inspect", &inspect, py::arg("recording"), py::arg("case").none(true) = nullptr,
-               "Looks at a recording (a folder or a description), with what a believed case says about it. Ctrl-C takes effect at its end.");
+               "Looks at a recording (a folder or a description), with what a believed case says about it. Ctrl-C "
+               "takes effect at its end.");
 }
 
 }  // namespace railpem::python

@@ -1,10 +1,10 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
-#include "app/hide_option.hpp"
 #include "app/output_folder.hpp"
-#include "app/simulated_recording_files.hpp"
-#include "app/simulation_request.hpp"
+#include "app/schema/hide_option.hpp"
+#include "app/tables/simulated_recording_files.hpp"
+#include "app/verbs/simulation_request.hpp"
 #include "python/array_view.hpp"
 #include "python/bindings.hpp"
 #include "python/interruption.hpp"
@@ -28,7 +28,8 @@ std::unique_ptr<Recording> simulate_recording(const Case& self, app::SimulationR
         app::check_simulation(request);
         auto result = std::make_unique<Recording>();
         result->truth = app::planned_simulation(*self.file, request);
-        result->recording = app::run_simulation(*self.file, result->truth, [&](double, double) { interruption.check(); });
+        result->recording =
+            app::run_simulation(*self.file, result->truth, [&](double, double) { interruption.check(); });
         return result;
     });
 }
@@ -57,7 +58,8 @@ std::filesystem::path save_recording(const Recording& self, const std::filesyste
 
 void bind_simulate(py::module_& module) {
     py::class_<Recording>(module, "Recording", "What nine accelerometers would have recorded.")
-        .def_property_readonly("sampling_rate_hz", [](const Recording& self) { return self.recording.sampling_rate_hz; })
+        .def_property_readonly("sampling_rate_hz",
+                               [](const Recording& self) { return self.recording.sampling_rate_hz; })
         .def_property_readonly("speed_m_per_s", [](const Recording& self) { return self.recording.speed_m_per_s; })
         .def_property_readonly("names", &recorded_channels)
         .def("__getitem__", &channel, "Acceleration of a channel in m/s^2, \"axlebox_1\" for instance.")
@@ -67,15 +69,27 @@ void bind_simulate(py::module_& module) {
         .def("_truth", [](const Recording& self) { return app::truth_text(self.truth, self.recording); });
     module.def(
         "_simulate",
-        [](const Case& self, double seconds, std::int64_t seed, std::vector<std::string> hide, std::optional<double> speed, double rate_hz, double noise,
-           double speed_fluctuation, bool standing, bool force, std::string profile, std::optional<std::int64_t> profile_seed, double profile_length_m) {
-            return simulate_recording(self, {.hide = std::move(hide), .profile = std::move(profile), .seconds = seconds, .seed = seed, .speed = speed,
-                                             .profile_seed = profile_seed, .rate_hz = rate_hz, .noise = noise, .speed_fluctuation = speed_fluctuation,
-                                             .profile_length_m = profile_length_m, .force = force, .standing = standing});
+        [](const Case& self, double seconds, std::int64_t seed, std::vector<std::string> hide,
+           std::optional<double> speed, double rate_hz, double noise, double speed_fluctuation, bool standing,
+           bool force, std::string profile, std::optional<std::int64_t> profile_seed, double profile_length_m) {
+            return simulate_recording(self, {.hide = std::move(hide),
+                                             .profile = std::move(profile),
+                                             .seconds = seconds,
+                                             .seed = seed,
+                                             .speed = speed,
+                                             .profile_seed = profile_seed,
+                                             .rate_hz = rate_hz,
+                                             .noise = noise,
+                                             .speed_fluctuation = speed_fluctuation,
+                                             .profile_length_m = profile_length_m,
+                                             .force = force,
+                                             .standing = standing});
         },
-        py::arg("case"), py::arg("seconds"), py::arg("seed"), py::arg("hide"), py::arg("speed_m_per_s"), py::arg("rate_hz"), py::arg("noise"),
-        py::arg("speed_fluctuation"), py::arg("standing"), py::arg("force"), py::arg("profile"), py::arg("profile_seed"), py::arg("profile_length_m"));
-    module.def("hidden_effects", &app::effects_list, "Every effect that simulate can hide, with its parameters and ranges, as text.");
+        py::arg("case"), py::arg("seconds"), py::arg("seed"), py::arg("hide"), py::arg("speed_m_per_s"),
+        py::arg("rate_hz"), py::arg("noise"), py::arg("speed_fluctuation"), py::arg("standing"), py::arg("force"),
+        py::arg("profile"), py::arg("profile_seed"), py::arg("profile_length_m"));
+    module.def("hidden_effects", &app::effects_list,
+               "Every effect that simulate can hide, with its parameters and ranges, as text.");
 }
 
 }  // namespace railpem::python

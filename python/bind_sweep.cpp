@@ -1,9 +1,9 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
-#include "app/sweep_schema.hpp"
-#include "app/sweep_table.hpp"
-#include "pem/sweep.hpp"
+#include "app/schema/sweep_schema.hpp"
+#include "app/tables/sweep_table.hpp"
+#include "pem/coupling/sweep.hpp"
 #include "python/array_view.hpp"
 #include "python/bindings.hpp"
 #include "python/interruption.hpp"
@@ -44,7 +44,8 @@ std::unique_ptr<Sweep> run(const std::function<app::SweepFile()>& read, int thre
             std::copy(values.begin(), values.end(), sweep->values.begin() + static_cast<std::ptrdiff_t>(index * rows));
             interruption.check();
         };
-        pem::run_sweep(sweep->file.plan, threads, {.finished = [](std::size_t) { return false; }, .done = done, .next = {}});
+        pem::run_sweep(sweep->file.plan, threads,
+                       {.finished = [](std::size_t) { return false; }, .done = done, .next = {}});
         return sweep;
     });
 }
@@ -65,7 +66,8 @@ std::vector<std::string> keys(const Sweep& self) {
 
 py::list rows(const Sweep& self) {
     py::list list;
-    for (const pem::SweepRow& row : self.rows) list.append(py::make_tuple(row.speed_m_per_s, row.quantity, row.response, row.frequency_hz));
+    for (const pem::SweepRow& row : self.rows)
+        list.append(py::make_tuple(row.speed_m_per_s, row.quantity, row.response, row.frequency_hz));
     return list;
 }
 
@@ -83,16 +85,27 @@ void write_csv(const Sweep& self, const std::filesystem::path& path) {
 void bind_sweep(py::module_& module) {
     py::class_<Sweep>(module, "Sweep", "Many cases, a few quantities of each.")
         .def_property_readonly("keys", &keys, "The varied keys: columns of parameters.")
-        .def_property_readonly("parameters", [](const py::object& self) {
-            const Sweep& sweep = self.cast<const Sweep&>();
-            return array_view(sweep.parameters.data(), {sweep.cases(), static_cast<py::ssize_t>(sweep.file.plan.axes.size())}, self);
-        }, "[case, key]")
-        .def_property_readonly("rows", &rows, "(speed_m_per_s, quantity, response, frequency_hz) of every column of values; NaN where there is no frequency.")
-        .def_property_readonly("values", [](const py::object& self) {
-            const Sweep& sweep = self.cast<const Sweep&>();
-            return array_view(sweep.values.data(), {sweep.cases(), static_cast<py::ssize_t>(sweep.rows.size())}, self);
-        }, "[case, row]")
-        .def("write_csv", &write_csv, py::arg("path"), py::call_guard<py::gil_scoped_release>(), "The long table that `railpem sweep` writes, bit for bit.")
+        .def_property_readonly(
+            "parameters",
+            [](const py::object& self) {
+                const Sweep& sweep = self.cast<const Sweep&>();
+                return array_view(sweep.parameters.data(),
+                                  {sweep.cases(), static_cast<py::ssize_t>(sweep.file.plan.axes.size())}, self);
+            },
+            "[case, key]")
+        .def_property_readonly("rows", &rows,
+                               "(speed_m_per_s, quantity, response, frequency_hz) of every column of values; NaN where "
+                               "there is no frequency.")
+        .def_property_readonly(
+            "values",
+            [](const py::object& self) {
+                const Sweep& sweep = self.cast<const Sweep&>();
+                return array_view(sweep.values.data(), {sweep.cases(), static_cast<py::ssize_t>(sweep.rows.size())},
+                                  self);
+            },
+            "[case, row]")
+        .def("write_csv", &write_csv, py::arg("path"), py::call_guard<py::gil_scoped_release>(),
+             "The long table that `railpem sweep` writes, bit for bit.")
         .def("__len__", &Sweep::cases);
     module.def("_sweep_file", &sweep_file, py::arg("path"), py::arg("set"), py::arg("threads"));
     module.def("_sweep_text", &sweep_text, py::arg("case"), py::arg("text"), py::arg("threads"));

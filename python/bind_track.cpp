@@ -1,10 +1,10 @@
 #include <pybind11/complex.h>
 #include <pybind11/stl.h>
 
-#include "app/read_table.hpp"
-#include "app/track_tables.hpp"
-#include "pem/rail_model.hpp"
-#include "pem/track_response.hpp"
+#include "app/schema/read_table.hpp"
+#include "app/tables/track_tables.hpp"
+#include "pem/coupling/track_response.hpp"
+#include "pem/rail/rail_model.hpp"
 #include "python/array_view.hpp"
 #include "python/bindings.hpp"
 #include "python/interruption.hpp"
@@ -34,11 +34,14 @@ auto of_case(const Case& self, const Work& work) {
 }
 
 std::unique_ptr<track::StaticEquilibrium> solve_static(const Case& self) {
-    return of_case(self, [](const pem::CaseParameters& parameters) { return std::make_unique<track::StaticEquilibrium>(pem::case_equilibrium(parameters)); });
+    return of_case(self, [](const pem::CaseParameters& parameters) {
+        return std::make_unique<track::StaticEquilibrium>(pem::case_equilibrium(parameters));
+    });
 }
 
 std::unique_ptr<Receptance> receptance(const Case& self, double from_hz, double to_hz, int lines, int threads) {
-    if (!(from_hz >= 0.01 && from_hz < to_hz && to_hz <= 20000.0)) throw app::InputError("from_hz, to_hz: no such range\nallowed: 0.01 <= from_hz < to_hz <= 20000");
+    if (!(from_hz >= 0.01 && from_hz < to_hz && to_hz <= 20000.0))
+        throw app::InputError("from_hz, to_hz: no such range\nallowed: 0.01 <= from_hz < to_hz <= 20000");
     if (lines < 2 || lines > 100000) throw app::InputError("lines: cannot be so many\nallowed: between 2 and 100000");
     return of_case(self, [&](const pem::CaseParameters& parameters) {
         auto result = std::make_unique<Receptance>();
@@ -56,22 +59,28 @@ auto view_of(std::vector<Number> Owner::*member) {
 
 template <class Number>
 auto response_view(std::vector<Number> pem::TrackResponse::*member) {
-    return [member](const py::object& self) { return array_view(self.cast<const Receptance&>().response.*member, self); };
+    return
+        [member](const py::object& self) { return array_view(self.cast<const Receptance&>().response.*member, self); };
 }
 
 auto decay_view(std::size_t column) {
-    return [column](const py::object& self) { return array_view(self.cast<const Receptance&>().decay.columns[column], self); };
+    return [column](const py::object& self) {
+        return array_view(self.cast<const Receptance&>().decay.columns[column], self);
+    };
 }
 
 void bind_static(py::module_& module) {
     using S = track::StaticEquilibrium;
     py::class_<S>(module, "StaticEquilibrium", "Every pad under the standing car, in order of position.")
         .def_property_readonly("position_m", view_of(&S::position_m), "From the centre of the car.")
-        .def_property_readonly("deflection_m", view_of(&S::compression_m), "Total compression of the pad, clip preload included.")
+        .def_property_readonly("deflection_m", view_of(&S::compression_m),
+                               "Total compression of the pad, clip preload included.")
         .def_property_readonly("static_stiffness_n_per_m", view_of(&S::static_stiffness_n_per_m))
-        .def_property_readonly("dynamic_stiffness_n_per_m", view_of(&S::dynamic_stiffness_n_per_m), "At the reference frequency.")
+        .def_property_readonly("dynamic_stiffness_n_per_m", view_of(&S::dynamic_stiffness_n_per_m),
+                               "At the reference frequency.")
         .def_property_readonly("warnings", [](const S& self) { return self.warnings; });
-    module.def("static", &solve_static, py::arg("case"), "Compression and stiffness of every pad under the standing vehicle.");
+    module.def("static", &solve_static, py::arg("case"),
+               "Compression and stiffness of every pad under the standing vehicle.");
 }
 
 }  // namespace
@@ -86,7 +95,8 @@ void bind_track(py::module_& module) {
         .def_property_readonly("decay_centre_hz", decay_view(0))
         .def_property_readonly("decay_rate_db_per_m", decay_view(1), "EN 15461, in third-octaves.")
         .def_property_readonly("bloch_decay_rate_db_per_m", decay_view(2));
-    module.def("receptance", &receptance, py::arg("case"), py::arg("from_hz") = 20.0, py::arg("to_hz") = 5000.0, py::arg("lines") = 1500, py::arg("threads") = 0,
+    module.def("receptance", &receptance, py::arg("case"), py::arg("from_hz") = 20.0, py::arg("to_hz") = 5000.0,
+               py::arg("lines") = 1500, py::arg("threads") = 0,
                "Point receptances over a pad and in the middle of a bay, and decay rates.");
 }
 

@@ -1,11 +1,12 @@
 #pragma once
-// What the module holds, one function per part of it. Every function of the module takes the arguments of the verb of its name.
+// What the module holds, one function per part of it. Every function of the module takes the arguments of the verb of
+// its name.
 
 #include <pybind11/pybind11.h>
 
 #include <memory>
 
-#include "app/case_schema.hpp"
+#include "app/schema/case_schema.hpp"
 
 namespace railpem::python {
 

@@ -1,6 +1,6 @@
 #include "python/interruption.hpp"
 
-#include "pem/solution.hpp"
+#include "pem/coupling/solution.hpp"
 
 namespace railpem::python {
 
@@ -26,6 +26,8 @@ void Interruption::check() {
     if (asked()) throw pem::Interrupted{};
 }
 
-void Interruption::raise() { std::rethrow_exception(raised_); }
+void Interruption::raise() {
+    std::rethrow_exception(raised_);
+}
 
 }  // namespace railpem::python

@@ -11,8 +11,9 @@
 
 namespace railpem::python {
 
-/// Asks the interpreter now and then whether a signal has arrived. It belongs to the thread that made it; others learn what that one
-/// found. Signals reach the main thread of Python only, so a computation in another thread runs to its end.
+/// Asks the interpreter now and then whether a signal has arrived. It belongs to the thread that made it; others learn
+/// what that one found. Signals reach the main thread of Python only, so a computation in another thread runs to its
+/// end.
 class Interruption {
   public:
     /// Whether the computation shall end. From any thread, without the interpreter's lock; cheap.
@@ -30,8 +31,8 @@ class Interruption {
     std::exception_ptr raised_;
 };
 
-/// Runs `work(interruption)` without the interpreter's lock and gives what it returns. A signal ends it with what the signal raises,
-/// whether the work stopped half-way or returned what it knew.
+/// Runs `work(interruption)` without the interpreter's lock and gives what it returns. A signal ends it with what the
+/// signal raises, whether the work stopped half-way or returned what it knew.
 template <class Work>
 auto interruptible(const Work& work) {
     Interruption interruption;

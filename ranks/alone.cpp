@@ -33,6 +33,8 @@ class Alone final : public Crew {
 
 }  // namespace
 
-std::unique_ptr<Crew> alone() { return std::make_unique<Alone>(); }
+std::unique_ptr<Crew> alone() {
+    return std::make_unique<Alone>();
+}
 
 }  // namespace railpem::ranks

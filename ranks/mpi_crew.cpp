@@ -22,7 +22,8 @@ namespace railpem::ranks {
 namespace {
 
 constexpr int kAsk = 1, kAnswer = 2;  ///< message tags
-/// Between two looks at the mailbox: a look costs a microsecond, so one per cent of a processor; a message waits this long at most.
+/// Between two looks at the mailbox: a look costs a microsecond, so one per cent of a processor; a message waits this
+/// long at most.
 constexpr std::chrono::microseconds kPause{100};
 
 /// Waits asleep: MPI itself would wait in a loop, and whoever is waited for may need the processor.
@@ -48,8 +49,8 @@ Range take(std::atomic<std::uint64_t>& next, std::uint64_t count, int processes)
     return {};
 }
 
-/// Process 0: its own threads take from a counter; a thread of its own answers the others, and is the only one that speaks MPI while
-/// it lives.
+/// Process 0: its own threads take from a counter; a thread of its own answers the others, and is the only one that
+/// speaks MPI while it lives.
 class Counter final : public Dispenser {
   public:
     Counter(std::size_t count, int processes) : count_(count), processes_(processes), server_([this] { serve(); }) {}
@@ -69,7 +70,8 @@ class Counter final : public Dispenser {
 
   private:
     void serve() {
-        // Every other process asks until it is told that nothing is left. When process 0 leaves early, that is the answer at once.
+        // Every other process asks until it is told that nothing is left. When process 0 leaves early, that is the
+        // answer at once.
         for (int others = processes_ - 1; others > 0 && !failed_;) {
             int waiting = 0;
             MPI_Status status;
@@ -97,7 +99,8 @@ class Counter final : public Dispenser {
 class Asking final : public Dispenser {
   public:
     ~Asking() override {
-        while (!empty_ && std::uncaught_exceptions() == 0) ask();  // process 0 waits for everybody to have heard the end
+        // process 0 waits for everybody to have heard the end
+        while (!empty_ && std::uncaught_exceptions() == 0) ask();
     }
     std::optional<std::size_t> next() override {
         const std::lock_guard lock(mutex_);
@@ -114,7 +117,7 @@ class Asking final : public Dispenser {
         std::array<std::uint64_t, 2> answer{};
         MPI_Request request;
         MPI_Irecv(answer.data(), 2, MPI_UINT64_T, 0, kAnswer, MPI_COMM_WORLD, &request);
-        wait_for(request);  // by MPI_Test, which clang-tidy does not take for waiting
+        wait_for(request);                // by MPI_Test, which clang-tidy does not take for waiting
         range_ = {answer[0], answer[1]};  // NOLINT(clang-analyzer-optin.mpi.MPI-Checker)
         empty_ = range_.begin == range_.end;
     }
@@ -130,12 +133,14 @@ class MpiCrew final : public Crew {
     MpiCrew() {
         int provided = 0;
         MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SERIALIZED, &provided);
-        if (provided < MPI_THREAD_SERIALIZED) throw std::runtime_error("this MPI library serves one thread only; one with MPI_THREAD_SERIALIZED is needed");
+        if (provided < MPI_THREAD_SERIALIZED)
+            throw std::runtime_error(
+                "this MPI library serves one thread only; one with MPI_THREAD_SERIALIZED is needed");
         MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
         MPI_Comm_size(MPI_COMM_WORLD, &size_);
     }
-    /// After a failure the others wait at a meeting that this process never comes to: it leaves without a word, and the launcher ends
-    /// them, with the exit status of this one.
+    /// After a failure the others wait at a meeting that this process never comes to: it leaves without a word, and the
+    /// launcher ends them, with the exit status of this one.
     ~MpiCrew() override {
         if (std::uncaught_exceptions() == 0) MPI_Finalize();
     }
@@ -155,9 +160,11 @@ class MpiCrew final : public Crew {
     int rank_ = 0, size_ = 1;
 };
 
-/// A launcher leaves word in the environment: PMIx (Open MPI, Slurm) or PMI (MPICH, Slurm). Without one MPI would have to start a
-/// server for a single process.
-bool launched() { return std::getenv("PMIX_RANK") || std::getenv("PMI_RANK") || std::getenv("OMPI_COMM_WORLD_RANK"); }
+/// A launcher leaves word in the environment: PMIx (Open MPI, Slurm) or PMI (MPICH, Slurm). Without one MPI would have
+/// to start a server for a single process.
+bool launched() {
+    return std::getenv("PMIX_RANK") || std::getenv("PMI_RANK") || std::getenv("OMPI_COMM_WORLD_RANK");
+}
 
 }  // namespace
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "recordings/data_table.hpp"
+#include "recordings/files/data_table.hpp"
 
 namespace railpem::recordings {
 

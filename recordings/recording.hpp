@@ -60,7 +60,7 @@ struct Recording {
     MeasuredReceptance receptance;
     MeasuredDecayRate decay_rate;
     MeasuredIrregularity irregularity;  ///< with any kind; nothing brought when the description names no file
-    std::vector<std::string> lacks;  ///< what this kind of data cannot tell, in words
+    std::vector<std::string> lacks;     ///< what this kind of data cannot tell, in words
     std::vector<std::string> notes;  ///< what the reader saw and did not change: a row of units, another encoding, …
 };
 

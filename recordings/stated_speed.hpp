@@ -10,7 +10,8 @@ struct StatedSpeed {
     double standard_error = 0.0;  ///< m/s; 0: not stated
 };
 
-/// That of the description; without one the mean of the speed channel, known as well as its values scatter, but to no better than half a per cent.
+/// That of the description; without one the mean of the speed channel, known as well as its values scatter, but to no
+/// better than half a per cent.
 StatedSpeed stated_speed(const Recording& recording);
 
 }  // namespace railpem::recordings

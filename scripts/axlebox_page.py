@@ -6,6 +6,7 @@ import numpy as np
 import axlebox_bands as bands
 import axlebox_lines as lines
 from axlebox_recording import SIDES
+from page_text import folded, written_by
 
 NAMES = ("km1", "km2")
 
@@ -162,8 +163,9 @@ class Answer:
         return f"""- **Common to both: a wheelset that is not round.** {common} lines (both sides together) are whole multiples of one rotation, {self.study.rotation['km1']:.3f} Hz in km1 and
   {self.study.rotation['km2']:.3f} Hz in km2, between orders {min(min(self.common_orders(s)) for s in SIDES)} and {max(max(self.common_orders(s)) for s in SIDES)}: `wheel-out-of-roundness`, {self.share('km1', 'wheel'):.0f} % of the mean square in km1, {self.share('km2', 'wheel'):.1f} % in km2.
   The unseen thirds show {confirmed['km1'][1]} of {confirmed['km1'][0]} again in km1 and {confirmed['km2'][1]} of {confirmed['km2'][0]} in km2, their levels within {self.unseen_level_db('km1'):.1f} and {self.unseen_level_db('km2'):.1f} dB rms.
-- **In km2 only: a band of 45 to 82 Hz**, {self.band_share('km2', 45, 90):.0f} % of its mean square (km1: {self.band_share('km1', 45, 90):.0f} %). The third-octaves {centres} Hz lie {self.range_db('seen', places)} above km1, all others within chance; in the unseen
-  third by {self.range_db('unseen', places)} (and everything else by some 5 to 10, because km1 is quiet there). The waves are {wave[0]:.2f} to {wave[-1]:.2f} m long, if it is the rail's surface: `rail-corrugation` of long pitch, or a rougher rail under the same resonance of the wheel on the track.
+- **In km2 only: a band of 45 to 82 Hz**, {self.band_share('km2', 45, 90):.0f} % of its mean square (km1: {self.band_share('km1', 45, 90):.0f} %). The third-octaves {centres} Hz lie {self.range_db('seen', places)} above km1, all others within chance. In the unseen
+  third it is {self.range_db('unseen', places)}, and everything else some 5 to 10 dB, because km1 is quiet there. The waves are {wave[0]:.2f} to {wave[-1]:.2f} m long, if it is the rail's surface:
+  `rail-corrugation` of long pitch, or a rougher rail under the same resonance of the wheel on the track.
 - **In km1 only: places.** {self.share('km1', 'places'):.0f} % of its mean square (km2: {self.share('km2', 'places'):.0f} %) comes in bursts, most of them in its first ten seconds (a switch, joints or bad spots:
   `rail-joints` needs a regular distance and is not named). Its last third is much quieter than what was seen, so it confirms lines and shapes, not levels.
 - **The program's verdicts**: km1 {first['verdict']}, km2 {second['verdict']}, km2 against what km1 ended in {after['verdict']}. {self.verdict_note()}
@@ -176,16 +178,17 @@ class Answer:
         return f"""Retuned, the generic case follows the third-octaves of what was seen within {fit['km1']['retuned']['rms_db']:.1f} dB (km1) and {fit['km2']['retuned']['rms_db']:.1f} dB (km2), with numbers that no car has.
   In km2 the unseen third bears it out: {fit['km2']['held_out_before']['rms_db']:.1f} dB believed, {fit['km2']['held_out_retuned']['rms_db']:.1f} retuned, {fit['km2']['held_out_after']['rms_db']:.1f} diagnosed. In km1 its shape does ({self.unseen_mean('km1', 'believed', 1):.1f} dB believed, {self.unseen_mean('km1', 'retuned', 1):.1f} retuned, {self.unseen_mean('km1', 'diagnosed', 1):.1f} diagnosed), its level does not.
   No set of the catalogue explains the rest; beside the verdict stand {', '.join(beside)}, which may stand in for what is missing. They show in the likelihood of the unseen third, not in its third-octaves.
-- **What km2 has more than km1, asked of the program** (believing what km1 ended in, and that the same car ran over both): beside {self.diagnoses['km2 after km1'][0]['verdict']} {named(self.diagnoses['km2 after km1'][0])}{self.of_waves()}."""
+- **What km2 has more than km1, asked of the program**, believing what km1 ended in, and that the same car ran over both. Verdict: {self.diagnoses['km2 after km1'][0]['verdict']}.
+  Named: {named(self.diagnoses['km2 after km1'][0])}. {self.of_waves()}"""
 
     def of_waves(self):
         """In how many of these answers waves are named, how long, and what that means."""
         lengths = [own["parameters"]["wavelength_m"]["value"] for result, _ in self.after_km1.values() for own in result["omitted"] if own["effect"] == "rail-corrugation"]
         if not lengths:
-            return ", no waves of the rail, which the bands show: what is named stands in for them"
+            return "None of that are waves of the rail, which the bands show: what is named stands in for them."
         worst = max(self.after_km1)
-        return f""": waves of the rail, the length of those that the bands show, but not they alone.
-  {len(lengths)} of {len(self.after_km1)} answers, for a car known exactly to one known within {100 * worst:g} %, name them, {min(lengths):.2f} to {max(lengths):.2f} m long; what else stands beside them changes from one to the next and is not to be believed"""
+        return f"""Waves of the rail are the length of those that the bands show, but not they alone.
+  {len(lengths)} of {len(self.after_km1)} answers, for a car known exactly to one known within {100 * worst:g} %, name them, {min(lengths):.2f} to {max(lengths):.2f} m long. What else stands beside them changes from one to the next and is not to be believed."""
 
     def car_known_table(self):
         """What km2 has more than km1, by how well the car is known."""
@@ -199,7 +202,8 @@ class Answer:
         return sides_mean(self.unseen[name, side][model][which] for side in SIDES)
 
     def text(self):
-        return f"""# Two kilometres of axle-box acceleration
+        return folded(f"""{written_by('scripts/diagnose_two_kilometres.py PATH')}
+# Two kilometres of axle-box acceleration
 
 One run, presumably one axle, vertical acceleration left and right, 33 s from kilometre 1 and 33 s from kilometre 2; car, track and unit are not stated. The first
 two thirds of each are seen by every fit and test, the last third by none.
@@ -231,7 +235,7 @@ From km1 to km2 the rotation rises by {100 * (self.study.rotation['km2'] / self.
 {self.stretch_table()}
 
 The peaks some 8 Hz apart between 40 and 80 Hz are in both kilometres, and (by the right side) they keep their wavelengths. A rail's surface would hardly repeat itself a kilometre on; the likeliest
-is the car's own length: a second wheel of the bogie, {self.study.speed('km2') / 8.5:.1f} to {self.study.speed('km2') / 7.5:.1f} m away, meets the same surface and shakes the first through the rail. The generic case has that coupling, at 2.5 m, far too weak (blue, below);
+is the car's own length: a second wheel of the bogie, {self.study.speed('km2') / 8.5:.1f} to {self.study.speed('km2') / 7.5:.1f} m away, meets the same surface and shakes the first through the rail. The generic case has that coupling, at 2.5 m, far too weak (blue, below):
 retuning makes the track nearly undamped to reach it. So the place is likely, the law is not known. The peaks near 475 and 780 Hz do not rise with the speed; they lie half a per cent lower in km2: structure (axle, axle box, rail on its pads). Slow courses, above all the band of 45 to 82 Hz, are too wide for that: rail surface and the resonance of
 the wheel on the track cannot be parted by one run at one speed.
 
@@ -271,19 +275,15 @@ The whole levels of the unseen third (20 to 150 Hz, third-octaves), and without 
 
 ## Method
 
-Every line is tested against the ten bins beside it in segments of {lines.TURNS} turns (Hann, half overlapped): in each the ratio is beyond r by chance with probability
-(1 + r/m)^−m, m = {lines.FREE_BINS:g}; Fisher's sum over the segments; false alarm {100 * lines.FALSE_ALARM:g} % over all {lines.HIGHEST_ORDER * lines.TURNS - lines.FARTHEST} places, both sides and {lines.ROTATIONS_TRIED} rotations tried. In the unseen third only orders found before are tested.
+Every line is tested against the ten bins beside it in segments of {lines.TURNS} turns (Hann, half overlapped). In each the ratio is beyond r by chance with probability
+(1 + r/m)^−m, m = {lines.FREE_BINS:g}. The segments are joined by Fisher's sum, with a false alarm of {100 * lines.FALSE_ALARM:g} % over all {lines.HIGHEST_ORDER * lines.TURNS - lines.FARTHEST} places, both sides and {lines.ROTATIONS_TRIED} rotations tried. In the unseen third only orders found before are tested.
 `railpem inspect` on the same records (F test of Thomson in sections of 8 s, 1e-4 over all frequencies) finds the strongest of them by itself: {self.inspected_text()}.
 Levels are means of eight (unseen: four) blocks in dB, compared by Welch's t over all {2 * len(bands.CENTRES_HZ)} bands and sides. Shifts are where the correlation of log spectra without their course over a third of an octave
 is highest; their error by leaving out eighths.
 
 Data: `高速列车轨道波摩检测模型设计/Dataset` of [TiraMisuLab01/AVMD_for_Rail_Corrugation_Detection](https://github.com/TiraMisuLab01/AVMD_for_Rail_Corrugation_Detection)
-(GPL-3.0, commit e286d0b, 2025), pieces of 2000 samples put in order of mileage as `km1.csv` and `km2.csv` with the columns `km`, `speed_kmh`, `left`, `right`; they are not in this repository. This page is written by
-
-```sh
-python3 scripts/diagnose_two_kilometres.py PATH
-```
-"""
+(GPL-3.0, commit e286d0b, 2025), pieces of 2000 samples put in order of mileage as `km1.csv` and `km2.csv` with the columns `km`, `speed_kmh`, `left`, `right`; they are not in this repository.
+""")
 
     def inspected_text(self):
         texts = []

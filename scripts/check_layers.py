@@ -1,9 +1,12 @@
 #!/usr/bin/env python3
-"""Fails when a folder includes another that it may not know, or when a folder has no README.
+"""Fails when a folder or a room includes another that it may not know, when two units include each other in a circle,
+when a folder holds more source files than a reader can look over, or when a folder has no README.
 
 The permitted directions are the house plan of CONTRIBUTING.md. `simulate` may see the parameter structs of
-track and vehicle and the formulas of spectra, but none of their solvers.
+track and vehicle and the formulas of spectra, but none of their solvers. A room is a folder within a folder; a unit is
+a header with the source of the same name.
 """
+import collections
 import pathlib
 import re
 import sys
@@ -24,6 +27,20 @@ PERMITTED = {
     "app": {"parameters", "lanes", "spectra", "vehicle", "track", "pem", "simulate", "recordings", "diagnosis", "ranks"},
     "python": {"parameters", "pem", "track", "simulate", "recordings", "diagnosis", "app"},
 }
+# The rooms of a folder, from the ground up: each may know those before it. What lies in the folder itself: "ground" stands
+# below all of its rooms, "roof" above them.
+ROOMS = {
+    "diagnosis": ["effects", "expectation", "observations", "model", "likelihood", "fit", "hypotheses", "judge", "search", "findings",
+                  "roof"],
+    "track": ["ground", "elements", "pads", "statics", "rail"],
+    "pem": ["ground", "rail", "coupling", "distortion"],
+    "simulate": ["numerics", "ground", "track", "vehicle", "march", "effects"],
+    "recordings": ["files", "ground", "loading", "estimates", "checks", "page", "inspection"],
+    "app": ["ground", "schema", "tables", "page", "report", "prove", "verbs"],
+}
+# Where the program begins, it knows everything.
+ABOVE_ALL = {"app/main.cpp"}
+MOST_FILES = 40  # of one folder, sources and headers
 # What simulate may open in the folders of the frequency domain: data and closed formulas only.
 SIMULATE_MAY_OPEN = re.compile(r"^(parameters/|.*_parameters\.hpp$|spectra/irregularity_spectrum\.hpp$)")
 # Libraries that only one folder may touch.
@@ -57,9 +74,76 @@ def problems():
                     yield f"{where}: simulate shares parameter structs only, not {target}"
 
 
+def room_of(path):
+    """Place of a file among the rooms of its folder; None where they have no order."""
+    folder, *rest = path.split("/")
+    rooms = ROOMS.get(folder)
+    if not rooms:
+        return None
+    room = rest[0] if len(rest) > 1 else "roof" if "roof" in rooms else "ground"
+    return rooms.index(room) if room in rooms else None
+
+
+def sources():
+    for folder in PERMITTED:
+        for path in sorted((ROOT / folder).rglob("*.[ch]pp")):
+            yield path.relative_to(ROOT).as_posix(), path.read_text(encoding="utf-8")
+
+
+def rooms_and_circles():
+    includes = collections.defaultdict(set)
+    for name, text in sources():
+        own, unit = room_of(name), name.rsplit(".", 1)[0]
+        includes[unit]  # a unit without includes is one, too
+        for number, line in enumerate(text.splitlines(), 1):
+            match = INCLUDE.match(line)
+            if not match or match.group(1).split("/")[0] not in PERMITTED:
+                continue
+            target = match.group(1)
+            if target.rsplit(".", 1)[0] != unit:
+                includes[unit].add(target.rsplit(".", 1)[0])
+            other = room_of(target)
+            if target.split("/")[0] == name.split("/")[0] and None not in (own, other) and other > own and name not in ABOVE_ALL:
+                yield f"{name}:{number}: a room may not know one above it: {target}"
+    for circle in circles(includes):
+        yield "units include each other in a circle: " + ", ".join(sorted(circle))
+
+
+def circles(includes):
+    """Strongly connected components of more than one unit (Tarjan 1972)."""
+    order, low, stack, found = {}, {}, [], []
+
+    def visit(unit):
+        order[unit] = low[unit] = len(order)
+        stack.append(unit)
+        for other in includes.get(unit, ()):
+            if other not in order:
+                visit(other)
+                low[unit] = min(low[unit], low[other])
+            elif other in stack:
+                low[unit] = min(low[unit], order[other])
+        if low[unit] == order[unit]:
+            component = stack[stack.index(unit):]
+            del stack[stack.index(unit):]
+            if len(component) > 1:
+                found.append(component)
+
+    for unit in sorted(includes):
+        if unit not in order:
+            visit(unit)
+    return found
+
+
+def full_folders():
+    files = collections.Counter(name.rsplit("/", 1)[0] for name, _ in sources())
+    for folder, count in sorted(files.items()):
+        if count > MOST_FILES:
+            yield f"{folder}: {count} source files, at most {MOST_FILES}"
+
+
 def main():
-    found = list(problems())
-    print("\n".join(found) if found else "layers: every include runs in a permitted direction")
+    found = [*problems(), *rooms_and_circles(), *full_folders()]
+    print("\n".join(found) if found else "layers: every include runs in a permitted direction, and none in a circle")
     return 1 if found else 0
 
 

@@ -107,7 +107,7 @@ def versions(text):
 
 
 def too_long(name, text):
-    words, lines = len(text.split()), len(text.splitlines())
+    words, lines = len(re.findall(r"\S*\w\S*", text)), len(text.splitlines())
     if words > MOST_WORDS_OF_PAGE.get(name, words):
         yield 1, f"{words} words, at most {MOST_WORDS_OF_PAGE[name]}"
     if lines > MOST_LINES_OF_PAGE.get(name, lines):

@@ -21,6 +21,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import paper_values as paper
+from page_text import folded, written_by
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 PROGRAM = ROOT / "build/release/railpem"
@@ -163,9 +164,10 @@ def page(rows, sections, paper_rows, texts, errors):
     head = "| recording | verdict | named (90 %) | believed, dB | retuned, dB | diagnosed, dB | unseen, retuned, dB | unseen, diagnosed, dB |\n"
     rule = "|---|---|---|---|---|---|---|---|\n"
     figures = "\n\n".join(f"![decay rates of section {s}](niederwangen_{s.lower()}.png)" for s in sections)
-    return f"""# Real recordings that are no time series
+    return folded(f"""{written_by('scripts/diagnose_real.py PATH')}
+# Real recordings that are no time series
 
-Written by `scripts/diagnose_real.py`; every verdict is the program's own, wrong or right. Time series:
+Every verdict is the program's own, wrong or right. Time series:
 [two kilometres of axle-box acceleration](two_kilometres.md).
 
 ## Track decay rates before and after rail dampers
@@ -174,10 +176,11 @@ Source: E. Scossa-Romano and J. Oertli, SBB report on rail dampers at Niederwang
 [SDWirkungNi](https://github.com/mic-haf/SDWirkungNi) (CC0-1.0); measured by Müller-BBM. The measured tables are not in this
 repository. Ballasted track, concrete sleepers, hard pads; rail section and spacing are not stated.
 
-`cases/ballasted/uic60.toml`, a generic ballasted track, is believed first and held against each section as it was in 2012, without dampers (geometric mean of both rails, one
-third-octave in four held out). What that ends in (its `diagnosed.toml`: retuned, with whatever was named, and with the ratios of measured to predicted decay rates that it leaves,
-`decay_rate_reference`) is believed when the same section is diagnosed as it was from 2013 to 2015: every day and rail is a recording, and the last quarter of them, another day and the other rail,
-is seen by no fit. B5 never had dampers. The error of a day and rail is the scatter within the states of all three sections, third-octave by third-octave: from {100 * min(errors.values()):.0f} to
+`cases/ballasted/uic60.toml`, a generic ballasted track, is believed first. It is held against each section as it was in 2012, without dampers
+(geometric mean of both rails, one third-octave in four held out). What that ends in, its `diagnosed.toml`, is believed when the same section is
+diagnosed as it was from 2013 to 2015. It is retuned, has whatever was named, and the ratios of measured to predicted decay rates that it leaves
+(`decay_rate_reference`). Every day and rail is a recording. The last quarter of them, another day and the other rail, is seen by no fit.
+B5 never had dampers. The error of a day and rail is the scatter within the states of all three sections, third-octave by third-octave: from {100 * min(errors.values()):.0f} to
 {100 * max(errors.values()):.0f} %. Third-octaves from 100 to {HIGHEST_HZ:.0f} Hz. Differences are rms over third-octaves, 10 log10 of the ratio.
 
 {head}{rule}{chr(10).join(rows)}
@@ -189,14 +192,14 @@ is seen by no fit. B5 never had dampers. The error of a day and rail is the scat
 ## Levels of Wei et al. (2016)
 
 Each case of the paper quotes four levels: the bogie at two frequencies, wheel and rail at their maxima. They are the result of another
-program, not a measurement. As `points` recordings against the case that ships under the same name; those of case 3 both against the case as published, whose static analysis bends the rail about
-the wrong axis, and against `case3_consistent`, which does not:
+program, not a measurement. They are `points` recordings against the case that ships under the same name. Those of case 3 are held against the case as
+published, whose static analysis bends the rail about the wrong axis, and against `case3_consistent`, which does not:
 
 {head}{rule}{chr(10).join(paper_rows)}
 
-Four values in three third-octaves, of which one is held out, are few: a verdict `consistent` says that no effect is called for beyond the
+Four values in three third-octaves, of which one is held out, are few. A verdict `consistent` says that no effect is called for beyond the
 discrepancy that is fitted, not that the levels agree. [The comparison level by level](../paper/README.md) says how far they are off.
-"""
+""")
 
 
 def findings(results):

@@ -1,5 +1,6 @@
 #pragma once
-// The vertical irregularity of the running surface as data. Spectra are one-sided in cycles/m, S(n) in m²/(cycle/m) = m³.
+// The vertical irregularity of the running surface as data. Spectra are one-sided in cycles/m, S(n) in m²/(cycle/m) =
+// m³.
 
 #include <string>
 #include <vector>
@@ -23,7 +24,8 @@ struct IrregularityBand {
     std::vector<double> table_psd_m3;
     /// table, profile: the measurement as a file; whoever reads the case turns it into the columns above.
     std::string file;
-    double segment_length_m = 0.0;  ///< profile: of the spectrum's estimate, spectrum_of_profile(); 0: an eighth of the profile
+    /// profile: of the spectrum's estimate, spectrum_of_profile(); 0: an eighth of the profile
+    double segment_length_m = 0.0;
 
     bool operator==(const IrregularityBand&) const = default;
 };
@@ -56,7 +58,8 @@ struct IrregularityParameters {
     double slope_db_per_octave = 0.0;
     std::vector<Corrugation> corrugation;
     std::vector<RailJoints> joints;
-    LogSpline wave_correction;  ///< factor on the broadband power spectrum; free correction of a diagnosis, 1 when empty
+    /// factor on the broadband power spectrum; free correction of a diagnosis, 1 when empty
+    LogSpline wave_correction;
     /// Factor on the power spectrum in time, corrugation included; free correction of a diagnosis, 1 when empty.
     LogFrequencySpline frequency_correction;
 

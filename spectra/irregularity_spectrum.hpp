@@ -13,6 +13,7 @@ double irregularity_psd_m3(const IrregularityParameters& irregularity, double cy
 
 /// The same at speed v as a spectrum in time, m²/Hz: S(f) = S(n)/v at n = f/v (f > 0, v > 0), with
 /// frequency_correction.
-double irregularity_psd_m2_per_hz(const IrregularityParameters& irregularity, double frequency_hz, double speed_m_per_s);
+double irregularity_psd_m2_per_hz(const IrregularityParameters& irregularity, double frequency_hz,
+                                  double speed_m_per_s);
 
 }  // namespace railpem::spectra

@@ -21,8 +21,12 @@ double interpolated(const std::vector<double>& nodes, const std::vector<double>&
 
 }  // namespace
 
-double LogSpline::at(double wavelength) const { return std::exp(interpolated(wavelength_m, log_factor, wavelength)); }
+double LogSpline::at(double wavelength) const {
+    return std::exp(interpolated(wavelength_m, log_factor, wavelength));
+}
 
-double LogFrequencySpline::at(double frequency) const { return std::exp(interpolated(frequency_hz, log_factor, frequency)); }
+double LogFrequencySpline::at(double frequency) const {
+    return std::exp(interpolated(frequency_hz, log_factor, frequency));
+}
 
 }  // namespace railpem::spectra

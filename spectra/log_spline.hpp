@@ -1,6 +1,6 @@
 #pragma once
-// Smooth factors of a power spectrum as data: the natural logarithm of the factor, linear in the logarithm of the wavelength or
-// frequency between nodes and constant beyond them.
+// Smooth factors of a power spectrum as data: the natural logarithm of the factor, linear in the logarithm of the
+// wavelength or frequency between nodes and constant beyond them.
 
 #include <vector>
 

@@ -43,14 +43,16 @@ struct PadParameters {
     std::vector<double> table_storage_ratio;
     std::vector<double> table_loss_factor;
 
-    lanes::FactorCurve correction;  ///< factor on K_j(f), dashpot included; free correction of a diagnosis, 1 when empty
+    /// factor on K_j(f), dashpot included; free correction of a diagnosis, 1 when empty
+    lanes::FactorCurve correction;
 };
 
 /// Fasteners that carry little or nothing. Every n-th seat (`every`), or a random share (`fraction`) drawn by `seed`;
 /// what remains at those seats is `remaining_stiffness_fraction` of the pad's stiffness and damping.
 struct FailedFasteners {
-    int every = 0;          ///< 0: none; n ≥ 2: every n-th seat
-    int first_seat = 0;     ///< one of the regularly failed seats; seat 0 is the pad at or behind wheel 1, growing towards the front
+    int every = 0;  ///< 0: none; n ≥ 2: every n-th seat
+    /// one of the regularly failed seats; seat 0 is the pad at or behind wheel 1, growing towards the front
+    int first_seat = 0;
     double fraction = 0.0;  ///< share of random failed seats, 0: none
     double remaining_stiffness_fraction = 0.0;
     int seed = 1;

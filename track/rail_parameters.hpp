@@ -17,15 +17,17 @@ struct RailParameters {
     double mass_kg_per_m = 0.0;
     double loss_factor = 0.0;  ///< η of E and G: E(1 + iη), G(1 + iη), constant
     double shear_modulus_pa = 81e9;
-    double shear_coefficient = 0.4;     ///< κ (effective shear area κA)
-    double cross_section_m2 = 7.7e-3;   ///< A
-    /// Factor on the dynamic mass of rail and dampers, not on the rotary inertia; free correction of a diagnosis, 1 when empty.
+    double shear_coefficient = 0.4;    ///< κ (effective shear area κA)
+    double cross_section_m2 = 7.7e-3;  ///< A
+    /// Factor on the dynamic mass of rail and dampers, not on the rotary inertia; free correction of a diagnosis, 1
+    /// when empty.
     lanes::FactorCurve correction;
 };
 
 /// A continuous line of tuned masses on the rail. Per metre of rail the dampers add the dynamic mass
-/// m_d·ω_d²(1 + iη)/(ω_d²(1 + iη) − ω²) (Thompson, Jones, Waters & Farrington 2007, Applied Acoustics 68), with the loss factor
-/// η = loss_factor·(ω/ω_d)^loss_exponent: rubber has nearly the same at all frequencies, a dashpot one in proportion to the frequency.
+/// m_d·ω_d²(1 + iη)/(ω_d²(1 + iη) − ω²) (Thompson, Jones, Waters & Farrington 2007, Applied Acoustics 68), with the
+/// loss factor η = loss_factor·(ω/ω_d)^loss_exponent: rubber has nearly the same at all frequencies, a dashpot one in
+/// proportion to the frequency.
 struct RailDamper {
     double mass_kg_per_m = 10.0;
     double frequency_hz = 500.0;

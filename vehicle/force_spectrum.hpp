@@ -8,9 +8,10 @@
 
 namespace railpem::vehicle {
 
-/// One-sided PSD, N²/Hz, of a force that arises inside a suspension element and owes nothing to what moves it linearly: what a stop, a play or a stick leaves
-/// beside its linearised law. A reference, straight between nodes over the logarithms of both, times a share, straight over the logarithm of frequency;
-/// constant beyond the nodes; no nodes: no force. The elements of a stage have the same spectrum, and their forces are incoherent.
+/// One-sided PSD, N²/Hz, of a force that arises inside a suspension element and owes nothing to what moves it linearly:
+/// what a stop, a play or a stick leaves beside its linearised law. A reference, straight between nodes over the
+/// logarithms of both, times a share, straight over the logarithm of frequency; constant beyond the nodes; no nodes: no
+/// force. The elements of a stage have the same spectrum, and their forces are incoherent.
 struct ForceSpectrum {
     std::vector<double> frequency_hz;         ///< > 0, increasing
     std::vector<double> reference_n2_per_hz;  ///< one per node, > 0

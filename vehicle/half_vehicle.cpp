@@ -12,8 +12,8 @@ constexpr double kTwoPi = 2.0 * std::numbers::pi;
 /// Degrees of freedom in the order of elimination: hung masses and modes first, then body, bogies, wheels.
 struct Degrees {
     int next = 0;
-    std::vector<int> hung;             ///< per bogie and mass
-    std::array<int, 4> axle_bending{}; ///< per wheelset
+    std::vector<int> hung;              ///< per bogie and mass
+    std::array<int, 4> axle_bending{};  ///< per wheelset
     int body_bending = -1;
     int body_heave, body_pitch;
     std::array<int, 2> bogie_heave, bogie_pitch;
@@ -50,14 +50,20 @@ std::vector<Share> minus(std::vector<Share> shares, int degree) {
 
 void add_body(HalfVehicle& car, const VehicleParameters& vehicle, const Degrees& d) {
     const double loaded = (vehicle.body_mass_kg + vehicle.payload_kg) / vehicle.body_mass_kg;
-    car.elements.push_back({.shares = {{d.body_heave, 1.0}}, .carrier = Carrier::body, .mass_kg = loaded * vehicle.body_mass_kg / 2.0});
-    car.elements.push_back({.shares = {{d.body_pitch, 1.0}}, .carrier = Carrier::body, .mass_kg = loaded * vehicle.body_pitch_inertia_kg_m2 / 2.0});
+    car.elements.push_back(
+        {.shares = {{d.body_heave, 1.0}}, .carrier = Carrier::body, .mass_kg = loaded * vehicle.body_mass_kg / 2.0});
+    car.elements.push_back({.shares = {{d.body_pitch, 1.0}},
+                            .carrier = Carrier::body,
+                            .mass_kg = loaded * vehicle.body_pitch_inertia_kg_m2 / 2.0});
     const double b = vehicle.bogie_distance_m / 2.0;
     double shape = 0.0;
     for (const BodyBendingMode& mode : vehicle.body_bending) {
         shape = mode.shape_at_pivots;
-        car.elements.push_back({.shares = {{d.body_bending, 1.0}}, .law = Law::mode, .mass_kg = loaded * mode.modal_mass_kg / 2.0,
-                                .frequency_hz = mode.frequency_hz / std::sqrt(loaded), .damping_ratio = mode.damping_ratio});
+        car.elements.push_back({.shares = {{d.body_bending, 1.0}},
+                                .law = Law::mode,
+                                .mass_kg = loaded * mode.modal_mass_kg / 2.0,
+                                .frequency_hz = mode.frequency_hz / std::sqrt(loaded),
+                                .damping_ratio = mode.damping_ratio});
     }
     car.places[static_cast<int>(Place::body)] = body_at(d, 0.0, 1.0);
     car.places[static_cast<int>(Place::body_front)] = body_at(d, b, shape);
@@ -67,8 +73,12 @@ void add_body(HalfVehicle& car, const VehicleParameters& vehicle, const Degrees&
 void add_bogie(HalfVehicle& car, const VehicleParameters& vehicle, const Degrees& d, int bogie) {
     const int heave = d.bogie_heave[bogie];
     const int pitch = d.bogie_pitch[bogie];
-    car.elements.push_back({.shares = {{heave, 1.0}}, .carrier = Carrier::bogie, .index = bogie, .mass_kg = vehicle.bogie_mass_kg / 2.0});
-    car.elements.push_back({.shares = {{pitch, 1.0}}, .carrier = Carrier::bogie, .index = bogie, .mass_kg = vehicle.bogie_pitch_inertia_kg_m2 / 2.0});
+    car.elements.push_back(
+        {.shares = {{heave, 1.0}}, .carrier = Carrier::bogie, .index = bogie, .mass_kg = vehicle.bogie_mass_kg / 2.0});
+    car.elements.push_back({.shares = {{pitch, 1.0}},
+                            .carrier = Carrier::bogie,
+                            .index = bogie,
+                            .mass_kg = vehicle.bogie_pitch_inertia_kg_m2 / 2.0});
     const Place pivot = bogie == 0 ? Place::body_front : Place::body_rear;
     car.secondary_elongation[bogie] = minus(car.places[static_cast<int>(pivot)], heave);
     car.elements.push_back({.shares = car.secondary_elongation[bogie], .law = Law::secondary, .index = bogie});
@@ -77,8 +87,12 @@ void add_bogie(HalfVehicle& car, const VehicleParameters& vehicle, const Degrees
         const BogieMountedMass& hung = vehicle.bogie_mounted_masses[i];
         const int degree = d.hung[2 * i + static_cast<std::size_t>(bogie)];
         car.elements.push_back({.shares = {{degree, 1.0}}, .mass_kg = hung.mass_kg / 2.0});
-        car.elements.push_back({.shares = {{heave, 1.0}, {pitch, hung.position_m}, {degree, -1.0}}, .law = Law::mode, .mass_kg = hung.mass_kg / 2.0,
-                                .frequency_hz = hung.frequency_hz, .damping_ratio = hung.damping_ratio, .mass_moves = false});
+        car.elements.push_back({.shares = {{heave, 1.0}, {pitch, hung.position_m}, {degree, -1.0}},
+                                .law = Law::mode,
+                                .mass_kg = hung.mass_kg / 2.0,
+                                .frequency_hz = hung.frequency_hz,
+                                .damping_ratio = hung.damping_ratio,
+                                .mass_moves = false});
     }
 }
 
@@ -92,21 +106,31 @@ void add_wheel(HalfVehicle& car, const VehicleParameters& vehicle, const Degrees
     std::vector<Share> rigid{{degree, 1.0}};
     for (const WheelsetBendingMode& mode : vehicle.wheelset_bending) {
         rigid.push_back({d.axle_bending[wheel], -1.0});
-        car.elements.push_back({.shares = {{d.axle_bending[wheel], 1.0}}, .law = Law::mode, .mass_kg = mode.modal_mass_kg / 2.0,
-                                .frequency_hz = mode.frequency_hz, .damping_ratio = mode.damping_ratio});
+        car.elements.push_back({.shares = {{d.axle_bending[wheel], 1.0}},
+                                .law = Law::mode,
+                                .mass_kg = mode.modal_mass_kg / 2.0,
+                                .frequency_hz = mode.frequency_hz,
+                                .damping_ratio = mode.damping_ratio});
     }
-    car.elements.push_back({.shares = std::move(rigid), .carrier = Carrier::wheel, .index = wheel, .mass_kg = vehicle.wheelset_mass_kg / 2.0});
+    car.elements.push_back({.shares = std::move(rigid),
+                            .carrier = Carrier::wheel,
+                            .index = wheel,
+                            .mass_kg = vehicle.wheelset_mass_kg / 2.0});
     car.places[static_cast<int>(Place::wheel_1) + wheel] = {{degree, 1.0}};
 }
 
 /// Elements of what is attached to two motions of a body: heave, and pitch with this radius of gyration.
-void attach(HalfVehicle& car, const Attachments& attachments, double mass_kg, double radius_m, const std::vector<Share>& heave, const std::vector<Share>& pitch) {
+void attach(HalfVehicle& car, const Attachments& attachments, double mass_kg, double radius_m,
+            const std::vector<Share>& heave, const std::vector<Share>& pitch) {
     const auto add = [&](const lanes::FactorCurve& curve, double arm) {
         if (curve.empty()) return;
         std::vector<Share> shares = heave;
         if (arm != 0.0)
             for (const Share& share : pitch) shares.push_back({share.degree, arm * share.weight});
-        car.elements.push_back({.shares = std::move(shares), .law = Law::attached, .index = static_cast<int>(car.attached.size()), .mass_kg = mass_kg});
+        car.elements.push_back({.shares = std::move(shares),
+                                .law = Law::attached,
+                                .index = static_cast<int>(car.attached.size()),
+                                .mass_kg = mass_kg});
         car.attached.push_back(curve);
     };
     add(attachments.centre, 0.0);
@@ -116,34 +140,51 @@ void attach(HalfVehicle& car, const Attachments& attachments, double mass_kg, do
 
 void add_attachments(HalfVehicle& car, const VehicleParameters& vehicle, const Degrees& d) {
     const double body_radius = std::sqrt(vehicle.body_pitch_inertia_kg_m2 / vehicle.body_mass_kg);
-    attach(car, vehicle.body_attachments, (vehicle.body_mass_kg + vehicle.payload_kg) / 2.0, body_radius, {{d.body_heave, 1.0}}, {{d.body_pitch, 1.0}});
-    const double mass = vehicle.bogie_mass_kg / 2.0, radius = std::sqrt(vehicle.bogie_pitch_inertia_kg_m2 / vehicle.bogie_mass_kg);
-    attach(car, vehicle.between_bogies, mass, radius, {{d.bogie_heave[0], 1.0}, {d.bogie_heave[1], -1.0}}, {{d.bogie_pitch[0], 1.0}, {d.bogie_pitch[1], 1.0}});
+    attach(car, vehicle.body_attachments, (vehicle.body_mass_kg + vehicle.payload_kg) / 2.0, body_radius,
+           {{d.body_heave, 1.0}}, {{d.body_pitch, 1.0}});
+    const double mass = vehicle.bogie_mass_kg / 2.0,
+                 radius = std::sqrt(vehicle.bogie_pitch_inertia_kg_m2 / vehicle.bogie_mass_kg);
+    attach(car, vehicle.between_bogies, mass, radius, {{d.bogie_heave[0], 1.0}, {d.bogie_heave[1], -1.0}},
+           {{d.bogie_pitch[0], 1.0}, {d.bogie_pitch[1], 1.0}});
 }
 
 /// −ω²·mass, with the correction of whatever carries it.
 lanes::Complex inertia_of(const HalfVehicle& car, const Element& element, lanes::Real omega) {
     const lanes::Complex inertia{-element.mass_kg * omega * omega, lanes::Real{}};
-    const auto corrected = [&](const lanes::Complex& own, const lanes::FactorCurve& correction) { return correction.empty() ? own : own * correction.at(omega); };
+    const auto corrected = [&](const lanes::Complex& own, const lanes::FactorCurve& correction) {
+        return correction.empty() ? own : own * correction.at(omega);
+    };
     switch (element.carrier) {
-        case Carrier::body: return corrected(inertia, car.body_correction);
-        case Carrier::bogie: return corrected(corrected(inertia, car.bogie_correction), car.one_bogie_correction[static_cast<std::size_t>(element.index)]);
-        case Carrier::wheel: return corrected(corrected(inertia, car.wheel_correction), car.one_wheelset_correction[static_cast<std::size_t>(element.index)]);
-        case Carrier::none: break;
+        case Carrier::body:
+            return corrected(inertia, car.body_correction);
+        case Carrier::bogie:
+            return corrected(corrected(inertia, car.bogie_correction),
+                             car.one_bogie_correction[static_cast<std::size_t>(element.index)]);
+        case Carrier::wheel:
+            return corrected(corrected(inertia, car.wheel_correction),
+                             car.one_wheelset_correction[static_cast<std::size_t>(element.index)]);
+        case Carrier::none:
+            break;
     }
     return inertia;
 }
 
 lanes::Complex stiffness_of(const HalfVehicle& car, const Element& element, lanes::Real omega) {
     switch (element.law) {
-        case Law::secondary: return suspension_stiffness(car.secondary, car.friction.secondary[element.index], omega);
-        case Law::primary: return suspension_stiffness(car.primary, car.friction.primary[element.index], omega);
-        case Law::inertia: return inertia_of(car, element, omega);
-        case Law::attached: return car.attached[static_cast<std::size_t>(element.index)].at(omega) * (-element.mass_kg * omega * omega);
-        case Law::mode: break;
+        case Law::secondary:
+            return suspension_stiffness(car.secondary, car.friction.secondary[element.index], omega);
+        case Law::primary:
+            return suspension_stiffness(car.primary, car.friction.primary[element.index], omega);
+        case Law::inertia:
+            return inertia_of(car, element, omega);
+        case Law::attached:
+            return car.attached[static_cast<std::size_t>(element.index)].at(omega) * (-element.mass_kg * omega * omega);
+        case Law::mode:
+            break;
     }
     const double natural = kTwoPi * element.frequency_hz;
-    lanes::Complex result{lanes::broadcast(element.mass_kg * natural * natural), 2.0 * element.damping_ratio * natural * element.mass_kg * omega};
+    lanes::Complex result{lanes::broadcast(element.mass_kg * natural * natural),
+                          2.0 * element.damping_ratio * natural * element.mass_kg * omega};
     if (element.mass_moves) result.re -= element.mass_kg * omega * omega;
     return result;
 }
@@ -186,7 +227,8 @@ void assemble(const HalfVehicle& car, lanes::Real omega, Workspace& workspace) {
         const lanes::Complex stiffness = stiffness_of(car, element, omega);
         for (const Share& row : element.shares)
             for (const Share& column : element.shares)
-                if (row.degree >= column.degree) matrix(row.degree, column.degree) += stiffness * (row.weight * column.weight);
+                if (row.degree >= column.degree)
+                    matrix(row.degree, column.degree) += stiffness * (row.weight * column.weight);
     }
 }
 
@@ -211,14 +253,16 @@ WheelReceptance wheel_receptance(const HalfVehicle& car, lanes::Real omega, Work
         q[static_cast<std::size_t>(degree)] = lanes::Complex(1.0);
         workspace.stiffness.solve(q.data(), degree);
         const std::size_t w = static_cast<std::size_t>(wheel);
-        for (std::size_t place = 0; place < car.places.size(); ++place) result.at[place][w] = displacement_at(car.places[place], q);
+        for (std::size_t place = 0; place < car.places.size(); ++place)
+            result.at[place][w] = displacement_at(car.places[place], q);
         for (std::size_t e = 0; e < 4; ++e) result.primary[e][w] = displacement_at(car.primary_elongation[e], q);
         for (std::size_t e = 0; e < 2; ++e) result.secondary[e][w] = displacement_at(car.secondary_elongation[e], q);
     }
     return result;
 }
 
-std::array<lanes::Complex, static_cast<int>(Place::count)> element_receptance(const HalfVehicle& car, Law law, int index, Workspace& workspace) {
+std::array<lanes::Complex, static_cast<int>(Place::count)> element_receptance(const HalfVehicle& car, Law law,
+                                                                              int index, Workspace& workspace) {
     std::vector<lanes::Complex>& q = workspace.displacement;
     for (lanes::Complex& value : q) value = lanes::Complex{};
     const std::size_t own = static_cast<std::size_t>(index);
@@ -226,7 +270,8 @@ std::array<lanes::Complex, static_cast<int>(Place::count)> element_receptance(co
         q[static_cast<std::size_t>(share.degree)] += lanes::Complex(share.weight);
     workspace.stiffness.solve(q.data());
     std::array<lanes::Complex, static_cast<int>(Place::count)> result;
-    for (std::size_t place = 0; place < car.places.size(); ++place) result[place] = displacement_at(car.places[place], q);
+    for (std::size_t place = 0; place < car.places.size(); ++place)
+        result[place] = displacement_at(car.places[place], q);
     return result;
 }
 

@@ -6,7 +6,8 @@ namespace railpem::app {
 
 namespace {
 
-// Finer at the ends, where verdicts fall. What is improbable beyond the first edge is not counted: there is no end of it.
+// Finer at the ends, where verdicts fall. What is improbable beyond the first edge is not counted: there is no end of
+// it.
 constexpr double kEdges[] = {0.01, 0.05, 0.2, 0.4, 0.6, 0.8, 0.95, 0.99, 1.0};
 
 std::vector<std::string> true_set(const TrialTruth& truth) {

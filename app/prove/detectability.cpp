@@ -22,7 +22,8 @@ double strength_of(const EffectDraw& draw, double value) {
     return draw.weak_when_large ? 1.0 / away : away;
 }
 
-/// The value from which on an effect is taken for detected with the fewest exceptions; NaN when all were detected or none.
+/// The value from which on an effect is taken for detected with the fewest exceptions; NaN when all were detected or
+/// none.
 double threshold_of(const std::vector<Sighting>& ascending) {
     std::size_t detected_below = 0, missed_above = 0;
     for (const Sighting& sighting : ascending) missed_above += !sighting.detected;
@@ -38,7 +39,8 @@ double threshold_of(const std::vector<Sighting>& ascending) {
 }
 
 void add_strengths(const EffectDraw& draw, std::vector<Sighting> sightings, Detectability& found) {
-    std::sort(sightings.begin(), sightings.end(), [](const Sighting& a, const Sighting& b) { return a.strength < b.strength; });
+    std::sort(sightings.begin(), sightings.end(),
+              [](const Sighting& a, const Sighting& b) { return a.strength < b.strength; });
     found.parameter = draw.strength;
     found.weak_when_large = draw.weak_when_large;
     for (const Sighting& sighting : sightings)

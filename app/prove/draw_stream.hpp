@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "simulate/random_numbers.hpp"
+#include "simulate/numerics/random_numbers.hpp"
 
 namespace railpem::app {
 
@@ -16,7 +16,9 @@ class DrawStream {
     double uniform(double low, double high) { return low + (high - low) * simulate::uniform_at(seed_, counter_++); }
     double logarithmic(double low, double high) { return low * std::pow(high / low, uniform(0.0, 1.0)); }
     /// 0 to below `count`.
-    std::size_t index(std::size_t count) { return static_cast<std::size_t>(uniform(0.0, static_cast<double>(count))) % count; }
+    std::size_t index(std::size_t count) {
+        return static_cast<std::size_t>(uniform(0.0, static_cast<double>(count))) % count;
+    }
     bool chance(double probability) { return uniform(0.0, 1.0) < probability; }
     std::uint64_t bits() { return simulate::bits_at(seed_, counter_++); }
 

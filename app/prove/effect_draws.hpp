@@ -32,8 +32,8 @@ struct EffectDraw {
     double nothing = 0.0;  ///< value at which it has faded (0 where it fades towards infinity)
 };
 
-/// Physics of the catalogue, from barely detectable to obvious for the paper's car between 12 and 40 m/s. `sleeper-flexibility`
-/// is drawn only where the case has sleepers.
+/// Physics of the catalogue, from barely detectable to obvious for the paper's car between 12 and 40 m/s.
+/// `sleeper-flexibility` is drawn only where the case has sleepers.
 const std::vector<EffectDraw>& physics_draws();
 
 /// Sensor faults of the catalogue.

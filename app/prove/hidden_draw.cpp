@@ -16,7 +16,9 @@ constexpr double kLeastLine_hz = 4.0, kMostLine_hz = 150.0;
 constexpr double kInverted = 0.1;  ///< share of wrong gains that are a sensor mounted the wrong way up
 
 double draw_value(const DrawnParameter& parameter, const std::map<std::string, double>& others, DrawStream& stream) {
-    double x = parameter.spacing == DrawSpacing::whole ? parameter.low + static_cast<double>(stream.index(static_cast<std::size_t>(parameter.high - parameter.low) + 1))
+    double x = parameter.spacing == DrawSpacing::whole
+                   ? parameter.low +
+                         static_cast<double>(stream.index(static_cast<std::size_t>(parameter.high - parameter.low) + 1))
                : parameter.spacing == DrawSpacing::logarithmic ? stream.logarithmic(parameter.low, parameter.high)
                                                                : stream.uniform(parameter.low, parameter.high);
     if (!parameter.scaled_by.empty()) x *= std::pow(others.at(parameter.scaled_by), parameter.power);
@@ -27,29 +29,35 @@ double draw_value(const DrawnParameter& parameter, const std::map<std::string, d
 
 std::map<std::string, double> draw_values(const EffectDraw& draw, DrawStream& stream) {
     std::map<std::string, double> values;
-    for (const DrawnParameter& parameter : draw.parameters) values[parameter.name] = draw_value(parameter, values, stream);
+    for (const DrawnParameter& parameter : draw.parameters)
+        values[parameter.name] = draw_value(parameter, values, stream);
     if (draw.id == "sensor-gain" && stream.chance(kInverted)) values["gain"] = -1.0;
     return values;
 }
 
-std::map<std::string, std::string> draw_texts(const std::string& id, const diagnosis::BelievedCase& believed, DrawStream& stream) {
+std::map<std::string, std::string> draw_texts(const std::string& id, const diagnosis::BelievedCase& believed,
+                                              DrawStream& stream) {
     std::map<std::string, std::string> texts;
     for (const simulate::HiddenEffect& effect : simulate::hidden_effects()) {
         if (effect.id != id) continue;
         for (const simulate::HiddenParameter& parameter : effect.parameters) {
             if (!parameter.is_text) continue;
-            if (parameter.name == "channel") texts["channel"] = simulate::channel_names()[stream.index(simulate::channel_names().size())];
+            if (parameter.name == "channel")
+                texts["channel"] = simulate::channel_names()[stream.index(simulate::channel_names().size())];
             if (parameter.name == "stage") texts["stage"] = stream.chance(0.5) ? "primary" : "secondary";
-            if (parameter.name == "parameter") texts["parameter"] = believed.uncertain[stream.index(believed.uncertain.size())].key;
+            if (parameter.name == "parameter")
+                texts["parameter"] = believed.uncertain[stream.index(believed.uncertain.size())].key;
         }
     }
     return texts;
 }
 
 /// Whether what is periodic shows somewhere in the band.
-bool shows(const std::string& id, const std::map<std::string, double>& values, const CaseFile& file, const std::vector<TrialRecord>& records) {
+bool shows(const std::string& id, const std::map<std::string, double>& values, const CaseFile& file,
+           const std::vector<TrialRecord>& records) {
     double wavelength = 0.0;
-    if (id == "wheel-out-of-roundness") wavelength = 2.0 * std::numbers::pi * file.parameters.vehicle.wheel_radius_m / values.at("order");
+    if (id == "wheel-out-of-roundness")
+        wavelength = 2.0 * std::numbers::pi * file.parameters.vehicle.wheel_radius_m / values.at("order");
     if (id == "rail-corrugation") wavelength = values.at("wavelength_m");
     if (wavelength == 0.0) return true;
     return std::any_of(records.begin(), records.end(), [&](const TrialRecord& record) {
@@ -58,11 +66,13 @@ bool shows(const std::string& id, const std::map<std::string, double>& values, c
     });
 }
 
-/// Whether `simulate` would take the values without --force: a strength that is scaled by another parameter may leave its range.
+/// Whether `simulate` would take the values without --force: a strength that is scaled by another parameter may leave
+/// its range.
 bool is_physical(const std::string& id, const std::map<std::string, double>& values) {
     for (const simulate::HiddenEffect& effect : simulate::hidden_effects())
         for (const simulate::HiddenParameter& parameter : effect.parameters)
-            if (const auto own = values.find(parameter.name); effect.id == id && own != values.end() && !parameter.is_text)
+            if (const auto own = values.find(parameter.name);
+                effect.id == id && own != values.end() && !parameter.is_text)
                 if (own->second < parameter.low || own->second > parameter.high) return false;
     return true;
 }

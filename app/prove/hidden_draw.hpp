@@ -9,8 +9,8 @@
 
 namespace railpem::app {
 
-/// An effect with values from its draw (effect_draws.hpp). Lines of wheels and corrugation are drawn until they lie between
-/// 4 and 150 Hz at one of the speeds at least: nobody could see another.
+/// An effect with values from its draw (effect_draws.hpp). Lines of wheels and corrugation are drawn until they lie
+/// between 4 and 150 Hz at one of the speeds at least: nobody could see another.
 simulate::Hidden draw_effect(const std::string& id, const CaseFile& file, const diagnosis::BelievedCase& believed,
                              const std::vector<TrialRecord>& records, DrawStream& stream);
 

@@ -21,7 +21,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
-std::string file_name(std::size_t trial) { return fmt::format("{:04}.json", trial); }
+std::string file_name(std::size_t trial) {
+    return fmt::format("{:04}.json", trial);
+}
 
 std::optional<std::string> text_of(const fs::path& file) {
     std::ifstream in(file, std::ios::binary);
@@ -43,7 +45,8 @@ Json ranges_json() {
         for (const EffectDraw& draw : *draws) {
             Json parameters = Json::object();
             for (const DrawnParameter& p : draw.parameters)
-                parameters[p.name] = {p.low, p.high, static_cast<int>(p.spacing), static_cast<int>(p.mirror), p.offset, p.power};
+                parameters[p.name] = {p.low,    p.high, static_cast<int>(p.spacing), static_cast<int>(p.mirror),
+                                      p.offset, p.power};
             list.push_back({{"effect", draw.id}, {"parameters", parameters}});
         }
     return list;
@@ -102,8 +105,10 @@ Shard read_shard(const std::string& text) {
         const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), value);
         return error == std::errc() && end == part.data() + part.size();
     };
-    if (slash == std::string::npos || !read(text.substr(0, slash), index) || !read(text.substr(slash + 1), count) || index < 1 || index > count)
-        throw InputError(fmt::format("--shard: cannot be '{}'\nallowed: i/n with whole numbers 1 <= i <= n, as in 2/4", text));
+    if (slash == std::string::npos || !read(text.substr(0, slash), index) || !read(text.substr(slash + 1), count) ||
+        index < 1 || index > count)
+        throw InputError(
+            fmt::format("--shard: cannot be '{}'\nallowed: i/n with whole numbers 1 <= i <= n, as in 2/4", text));
     return {index - 1, count};
 }
 
@@ -122,9 +127,10 @@ ProofFolder::ProofFolder(std::filesystem::path folder, const std::string& settin
     if (!found)
         write_file(folder_, "proof.json", settings);
     else if (*found != settings)
-        throw InputError(fmt::format("{}: was made with other settings (seed, case, thresholds, ranges or version of the program)\n"
-                                     "allowed: the settings that proof.json states, or another --out",
-                                     (folder_ / "proof.json").string()));
+        throw InputError(
+            fmt::format("{}: was made with other settings (seed, case, thresholds, ranges or version of the program)\n"
+                        "allowed: the settings that proof.json states, or another --out",
+                        (folder_ / "proof.json").string()));
 }
 
 void ProofFolder::seal(const std::vector<TrialTruth>& truths) const {
@@ -133,8 +139,10 @@ void ProofFolder::seal(const std::vector<TrialTruth>& truths) const {
         const std::string name = file_name(truth.trial), text = trial_truth_text(truth);
         const std::optional<std::string> found = text_of(output.path() / name);
         if (found && *found != text)
-            throw InputError(fmt::format("{}: is not what this program draws from this seed\nallowed: another --out, or the program that drew it",
-                                         (output.path() / name).string()));
+            throw InputError(
+                fmt::format("{}: is not what this program draws from this seed\nallowed: another --out, or the program "
+                            "that drew it",
+                            (output.path() / name).string()));
         if (!found) output.write(name, text);
     }
     output.commit();
@@ -151,18 +159,28 @@ void ProofFolder::keep(const TrialTruth& truth, const TrialResult& result) const
     write_file(folder_ / "trials", file_name(truth.trial), trial_result_text(result, label_json(truth)));
 }
 
-std::filesystem::path ProofFolder::recordings_of(std::size_t trial) const { return folder_ / "trials" / fmt::format("{:04}", trial); }
+std::filesystem::path ProofFolder::recordings_of(std::size_t trial) const {
+    return folder_ / "trials" / fmt::format("{:04}", trial);
+}
 
-std::vector<TrialTruth> draw_trials(const CaseFile& file, const diagnosis::BelievedCase& believed, const ProofSettings& settings) {
+std::vector<TrialTruth> draw_trials(const CaseFile& file, const diagnosis::BelievedCase& believed,
+                                    const ProofSettings& settings) {
     std::vector<TrialTruth> truths;
-    for (std::size_t trial = 0; trial < settings.trials; ++trial) truths.push_back(draw_trial(file, believed, settings.draw, trial));
+    for (std::size_t trial = 0; trial < settings.trials; ++trial)
+        truths.push_back(draw_trial(file, believed, settings.draw, trial));
     return truths;
 }
 
-void run_trials(const std::vector<TrialTruth>& truths, const ProofSettings& settings, const ProofFolder& folder, const TrialRunner& run,
-                const ProofProgress& progress, const std::function<bool()>& interrupted, std::function<std::optional<std::size_t>()> next) {
-    if (!next) next = [place = std::size_t{0}, &truths]() mutable { return place < truths.size() ? std::optional(place++) : std::nullopt; };
-    const auto open = [&](const TrialTruth& truth) { return settings.shard.holds(truth.trial) && !folder.finished(truth.trial); };
+void run_trials(const std::vector<TrialTruth>& truths, const ProofSettings& settings, const ProofFolder& folder,
+                const TrialRunner& run, const ProofProgress& progress, const std::function<bool()>& interrupted,
+                std::function<std::optional<std::size_t>()> next) {
+    if (!next)
+        next = [place = std::size_t{0}, &truths]() mutable {
+            return place < truths.size() ? std::optional(place++) : std::nullopt;
+        };
+    const auto open = [&](const TrialTruth& truth) {
+        return settings.shard.holds(truth.trial) && !folder.finished(truth.trial);
+    };
     const std::size_t all = static_cast<std::size_t>(std::count_if(truths.begin(), truths.end(), open));
     std::size_t done = 0;
     for (std::optional<std::size_t> i; !interrupted() && (i = next());) {

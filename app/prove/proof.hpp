@@ -28,20 +28,22 @@ struct ProofSettings {
     bool keep = false;  ///< keep the recordings
 };
 
-/// What makes two proofs the same one, as JSON: seed, mix and ranges of the draws, the believed case, version, thresholds and
-/// options of the diagnosis. The number of trials is not in it: a proof may be lengthened.
+/// What makes two proofs the same one, as JSON: seed, mix and ranges of the draws, the believed case, version,
+/// thresholds and options of the diagnosis. The number of trials is not in it: a proof may be lengthened.
 std::string settings_text(const CaseFile& file, const ProofSettings& settings);
 
 /// Runs one trial; the second argument is where its recordings are to be kept (empty: nowhere).
 using TrialRunner = std::function<TrialResult(const TrialTruth&, const std::filesystem::path&)>;
 
-/// What is told while a proof runs: trials finished in this run, and those that it will finish. `last`: the one just finished.
+/// What is told while a proof runs: trials finished in this run, and those that it will finish. `last`: the one just
+/// finished.
 using ProofProgress = std::function<void(std::size_t done, std::size_t all, const TrialResult& last)>;
 
 /// DIR of a proof: proof.json (settings), truth/<trial>.json, trials/<trial>.json.
 class ProofFolder {
   public:
-    /// Takes the folder over, or opens one that the same settings have begun. Throws InputError when it belongs to another proof.
+    /// Takes the folder over, or opens one that the same settings have begun. Throws InputError when it belongs to
+    /// another proof.
     ProofFolder(std::filesystem::path folder, const std::string& settings);
 
     /// Writes all truths that are not there. Throws InputError when one that is there differs.
@@ -57,11 +59,14 @@ class ProofFolder {
 };
 
 /// Draws all trials of the proof.
-std::vector<TrialTruth> draw_trials(const CaseFile& file, const diagnosis::BelievedCase& believed, const ProofSettings& settings);
+std::vector<TrialTruth> draw_trials(const CaseFile& file, const diagnosis::BelievedCase& believed,
+                                    const ProofSettings& settings);
 
-/// Runs the trials that `next` gives (places in `truths`, until it gives nothing; without it all in order) and that belong to the shard
-/// and are not finished, until `interrupted`. A result that came while an end was asked for is not kept: it may have been cut short.
-void run_trials(const std::vector<TrialTruth>& truths, const ProofSettings& settings, const ProofFolder& folder, const TrialRunner& run,
-                const ProofProgress& progress, const std::function<bool()>& interrupted, std::function<std::optional<std::size_t>()> next = {});
+/// Runs the trials that `next` gives (places in `truths`, until it gives nothing; without it all in order) and that
+/// belong to the shard and are not finished, until `interrupted`. A result that came while an end was asked for is not
+/// kept: it may have been cut short.
+void run_trials(const std::vector<TrialTruth>& truths, const ProofSettings& settings, const ProofFolder& folder,
+                const TrialRunner& run, const ProofProgress& progress, const std::function<bool()>& interrupted,
+                std::function<std::optional<std::size_t>()> next = {});
 
 }  // namespace railpem::app

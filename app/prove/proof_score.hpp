@@ -21,8 +21,8 @@ struct Measure {
     std::string name;
     std::string says;
     Proportion proportion;
-    double goal = 0.0;      ///< of the proportion
-    bool at_most = false;   ///< the goal is an upper one
+    double goal = 0.0;     ///< of the proportion
+    bool at_most = false;  ///< the goal is an upper one
     bool has_goal = false;
 };
 
@@ -37,9 +37,10 @@ struct CalibrationBin {
 struct Detectability {
     std::string effect, parameter;  ///< parameter empty: there or not
     bool weak_when_large = false;
-    Proportion detected, named;     ///< something was claimed; the right set was named
+    Proportion detected, named;                            ///< something was claimed; the right set was named
     double smallest_detected = 0.0, largest_missed = 0.0;  ///< in the sense of strength; NaN where there is none
-    double threshold = 0.0;         ///< strength that separates missed from detected with the fewest exceptions; NaN as above
+    /// strength that separates missed from detected with the fewest exceptions; NaN as above
+    double threshold = 0.0;
 };
 
 /// Quantiles over trials.
@@ -52,11 +53,12 @@ struct ProofScore {
     std::size_t trials = 0, failed = 0;
     std::map<std::string, std::size_t> kinds;
     std::vector<Measure> measures;
-    double mean_set_size = 0.0;          ///< of the sets returned, where any was; NaN of none
-    double misfit_removed = 0.0;         ///< share of the held-out misfit of the retuned case that the rightly named physics removes, pooled
+    double mean_set_size = 0.0;  ///< of the sets returned, where any was; NaN of none
+    /// share of the held-out misfit of the retuned case that the rightly named physics removes, pooled
+    double misfit_removed = 0.0;
     double misfit_removed_median = 0.0;  ///< over trials
     std::size_t misfit_trials = 0;
-    Spread seconds;                      ///< computing time of a diagnosis
+    Spread seconds;                                                       ///< computing time of a diagnosis
     std::map<std::string, std::map<std::string, std::size_t>> confusion;  ///< hidden → returned → trials
     std::vector<CalibrationBin> calibration;
     std::vector<Detectability> detectability;

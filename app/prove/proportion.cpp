@@ -16,7 +16,8 @@ std::pair<double, double> wilson_interval(const Proportion& proportion) {
     const double centre = p + z * z / (2.0 * n), reach = z * std::sqrt(p * (1.0 - p) / n + z * z / (4.0 * n * n));
     const double width = 1.0 + z * z / n;
     // At the ends the interval touches 0 and 1 exactly; rounding must not leave it beyond or short of them.
-    return {proportion.hits == 0 ? 0.0 : (centre - reach) / width, proportion.hits == proportion.of ? 1.0 : (centre + reach) / width};
+    return {proportion.hits == 0 ? 0.0 : (centre - reach) / width,
+            proportion.hits == proportion.of ? 1.0 : (centre + reach) / width};
 }
 
 }  // namespace railpem::app

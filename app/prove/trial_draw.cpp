@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cassert>
 
-#include "app/hide_option.hpp"
 #include "app/input_error.hpp"
 #include "app/prove/draw_stream.hpp"
 #include "app/prove/hidden_draw.hpp"
+#include "app/schema/hide_option.hpp"
 
 namespace railpem::app {
 
@@ -14,8 +14,9 @@ namespace {
 
 enum Purpose : std::uint64_t { for_kinds = 1, for_orders = 2, for_trials = 1000 };
 
-constexpr double kGolden = 0.6180339887498949;  // multiples of it modulo 1 fill an interval evenly, however many they are
-constexpr int kMostAttempts = 200;              // until effects are drawn that the case can have
+// multiples of it modulo 1 fill an interval evenly, however many they are
+constexpr double kGolden = 0.6180339887498949;
+constexpr int kMostAttempts = 200;  // until effects are drawn that the case can have
 
 TrialKind kind_of(const DrawSettings& settings, std::size_t trial) {
     const double begin = simulate::uniform_at(simulate::derived_seed(settings.seed, for_kinds), 0);
@@ -47,18 +48,20 @@ std::vector<TrialRecord> draw_records(const DrawSettings& settings, DrawStream& 
     for (std::size_t i = 0; i < records.size(); ++i) {
         TrialRecord& record = records[i];
         do record.speed_m_per_s = stream.uniform(settings.least_speed_m_per_s, settings.most_speed_m_per_s);
-        while (!std::all_of(records.begin(), records.begin() + static_cast<long>(i),
-                            [&](const TrialRecord& other) { return apart(other.speed_m_per_s, record.speed_m_per_s); }));
+        while (!std::all_of(records.begin(), records.begin() + static_cast<long>(i), [&](const TrialRecord& other) {
+            return apart(other.speed_m_per_s, record.speed_m_per_s);
+        }));
         record.stated_speed_m_per_s = record.speed_m_per_s * (1.0 + settings.speed_error * stream.uniform(-1.0, 1.0));
         record.seed = stream.bits() >> 1;  // as --seed takes it
     }
     if (records.size() > 1 && stream.chance(settings.payload_share))
-        records[stream.index(records.size())].payload_kg = stream.uniform(settings.least_payload_kg, settings.most_payload_kg);
+        records[stream.index(records.size())].payload_kg =
+            stream.uniform(settings.least_payload_kg, settings.most_payload_kg);
     return records;
 }
 
-std::vector<simulate::Hidden> draw_hidden(const CaseFile& file, const diagnosis::BelievedCase& believed, const DrawSettings& settings,
-                                          const TrialTruth& truth, DrawStream& stream) {
+std::vector<simulate::Hidden> draw_hidden(const CaseFile& file, const diagnosis::BelievedCase& believed,
+                                          const DrawSettings& settings, const TrialTruth& truth, DrawStream& stream) {
     if (truth.kind == TrialKind::nothing) return {};
     const std::vector<std::string> ids = in_turn(drawable_effects(file, truth.kind), settings, truth.kind);
     assert(!ids.empty());
@@ -74,7 +77,8 @@ std::vector<simulate::Hidden> draw_hidden(const CaseFile& file, const diagnosis:
 }
 
 /// The true world: the believed one with every number off within its tolerance.
-void draw_numbers(const diagnosis::BelievedCase& believed, const DrawSettings& settings, DrawStream& stream, TrialTruth& truth) {
+void draw_numbers(const diagnosis::BelievedCase& believed, const DrawSettings& settings, DrawStream& stream,
+                  TrialTruth& truth) {
     for (const diagnosis::BelievedNumber& number : believed.uncertain) {
         const double off = 1.0 + number.tolerance * stream.uniform(-1.0, 1.0);
         believed.access.set(truth.parameters, number.key, number.value * off);
@@ -102,11 +106,15 @@ std::vector<std::string> drawable_effects(const CaseFile& file, TrialKind kind) 
     return ids;
 }
 
-TrialTruth draw_trial(const CaseFile& file, const diagnosis::BelievedCase& believed, const DrawSettings& settings, std::size_t trial) {
+TrialTruth draw_trial(const CaseFile& file, const diagnosis::BelievedCase& believed, const DrawSettings& settings,
+                      std::size_t trial) {
     const std::uint64_t seed = simulate::derived_seed(settings.seed, for_trials + trial);
     DrawStream stream(seed);
-    TrialTruth nuisance{.trial = trial, .kind = kind_of(settings, trial), .noise_rms_m_per_s2 = settings.noise_rms_m_per_s2,
-                        .seconds = settings.seconds, .parameters = file.parameters};
+    TrialTruth nuisance{.trial = trial,
+                        .kind = kind_of(settings, trial),
+                        .noise_rms_m_per_s2 = settings.noise_rms_m_per_s2,
+                        .seconds = settings.seconds,
+                        .parameters = file.parameters};
     nuisance.parameters.contact.constant_m_per_n23 = believed.numbers.contact.constant_m_per_n23;
     nuisance.records = draw_records(settings, stream);
     draw_numbers(believed, settings, stream, nuisance);

@@ -57,17 +57,21 @@ void judge_names(const TrialTruth& truth, const TrialResult& result, Judgement& 
     const std::vector<std::string> hidden = labels(truth);
     const auto sets = returned_sets(result, judgement.claim);
     judgement.sets_returned = sets.size();
-    judgement.truth_returned = truth.kind != TrialKind::outside && std::find(sets.begin(), sets.end(), hidden) != sets.end();
+    judgement.truth_returned =
+        truth.kind != TrialKind::outside && std::find(sets.begin(), sets.end(), hidden) != sets.end();
     if (judgement.claim != Claim::one_set) return;
     judgement.right_effect = judgement.missing && judgement.truth_returned;
     for (const std::string& name : sets.front())
-        ++(std::find(hidden.begin(), hidden.end(), name) != hidden.end() ? judgement.right_names : judgement.wrong_names);
+        ++(std::find(hidden.begin(), hidden.end(), name) != hidden.end() ? judgement.right_names
+                                                                         : judgement.wrong_names);
     const auto hidden_sensor = [](const simulate::Hidden& own) { return is_sensor(own.id); };
     const auto claimed_sensor = [](const ClaimedEffect& own) { return is_sensor(own.effect); };
     const bool any_sensor = std::any_of(truth.hidden.begin(), truth.hidden.end(), hidden_sensor);
     const bool only_sensors = judgement.missing && std::all_of(truth.hidden.begin(), truth.hidden.end(), hidden_sensor);
-    judgement.sensor_for_physics = judgement.missing && !any_sensor && std::any_of(result.omitted.begin(), result.omitted.end(), claimed_sensor);
-    judgement.physics_for_sensor = only_sensors && !std::all_of(result.omitted.begin(), result.omitted.end(), claimed_sensor);
+    judgement.sensor_for_physics =
+        judgement.missing && !any_sensor && std::any_of(result.omitted.begin(), result.omitted.end(), claimed_sensor);
+    judgement.physics_for_sensor =
+        only_sensors && !std::all_of(result.omitted.begin(), result.omitted.end(), claimed_sensor);
 }
 
 void judge_intervals(const TrialTruth& truth, const TrialResult& result, Judgement& judgement) {
@@ -75,7 +79,8 @@ void judge_intervals(const TrialTruth& truth, const TrialResult& result, Judgeme
         for (const ClaimedEffect& claimed : result.omitted) {
             const auto key = claimed.choices.find("parameter");
             for (const diagnosis::FittedParameter& p : claimed.parameters) {
-                const double value = true_value(truth, claimed.effect, key == claimed.choices.end() ? "" : key->second, p.name);
+                const double value =
+                    true_value(truth, claimed.effect, key == claimed.choices.end() ? "" : key->second, p.name);
                 if (std::isfinite(value)) judgement.parameters.count(p.low <= value && value <= p.high);
             }
         }
@@ -88,7 +93,9 @@ void judge_intervals(const TrialTruth& truth, const TrialResult& result, Judgeme
 std::string wrong_with(const TrialTruth& truth, const Judgement& judgement) {
     if (judgement.claim == Claim::failed) return "failed";
     if (!judgement.missing)
-        return judgement.claim == Claim::nothing ? "" : judgement.claim == Claim::no_name ? "unexplained although nothing is missing" : "named although nothing is missing";
+        return judgement.claim == Claim::nothing   ? ""
+               : judgement.claim == Claim::no_name ? "unexplained although nothing is missing"
+                                                   : "named although nothing is missing";
     if (judgement.claim == Claim::nothing) return "missed";
     if (judgement.sensor_for_physics) return "sensor named for physics";
     if (judgement.physics_for_sensor) return "physics named for a sensor";
@@ -99,7 +106,8 @@ std::string wrong_with(const TrialTruth& truth, const Judgement& judgement) {
     if (judgement.claim == Claim::no_name) return judgement.right_place ? "place without its name" : "wrong place";
     if (judgement.claim == Claim::several_sets) return judgement.truth_returned ? "" : "truth not among the rivals";
     if (judgement.right_effect) return judgement.right_place ? "" : "wrong place";
-    if (judgement.wrong_names > 0) return judgement.right_names > 0 ? "a wrong name beside a right one" : "wrong effect";
+    if (judgement.wrong_names > 0)
+        return judgement.right_names > 0 ? "a wrong name beside a right one" : "wrong effect";
     return "only one of two named";
 }
 
@@ -109,11 +117,16 @@ std::string row_of(const TrialTruth& truth) {
 
 std::string column_of(const TrialResult& result, Claim claim) {
     switch (claim) {
-        case Claim::failed: return "failed";
-        case Claim::nothing: return "nothing";
-        case Claim::several_sets: return "ambiguous";
-        case Claim::no_name: return "unexplained";
-        case Claim::one_set: return result.omitted.size() == 1 ? result.omitted.front().effect : "several";
+        case Claim::failed:
+            return "failed";
+        case Claim::nothing:
+            return "nothing";
+        case Claim::several_sets:
+            return "ambiguous";
+        case Claim::no_name:
+            return "unexplained";
+        case Claim::one_set:
+            return result.omitted.size() == 1 ? result.omitted.front().effect : "several";
     }
     return {};
 }
@@ -123,16 +136,19 @@ std::string column_of(const TrialResult& result, Claim claim) {
 std::string label_of(const ClaimedEffect& claimed) {
     std::vector<std::string> choices;
     for (const char* name : kTelling)
-        if (const auto found = claimed.choices.find(name); found != claimed.choices.end()) choices.push_back(found->second);
+        if (const auto found = claimed.choices.find(name); found != claimed.choices.end())
+            choices.push_back(found->second);
     return with_choices(claimed.effect, choices);
 }
 
 std::string label_of(const simulate::Hidden& hidden) {
     std::vector<std::string> choices;
     for (const char* name : kTelling) {
-        if (const auto text = hidden.values.texts.find(name); text != hidden.values.texts.end()) choices.push_back(text->second);
+        if (const auto text = hidden.values.texts.find(name); text != hidden.values.texts.end())
+            choices.push_back(text->second);
         const diagnosis::Effect* effect = diagnosis::find_effect(hidden.id);
-        const bool chosen = effect && std::any_of(effect->choices.begin(), effect->choices.end(), [&](const diagnosis::EffectChoice& c) { return c.name == name; });
+        const bool chosen = effect && std::any_of(effect->choices.begin(), effect->choices.end(),
+                                                  [&](const diagnosis::EffectChoice& c) { return c.name == name; });
         if (const auto value = hidden.values.numbers.find(name); chosen && value != hidden.values.numbers.end())
             choices.push_back(std::to_string(std::lround(value->second)));
     }
@@ -154,7 +170,9 @@ Judgement judge(const TrialTruth& truth, const TrialResult& result) {
             judgement.misfit_retuned = -result.held_out_retuned.log_likelihood_per_second;
             judgement.misfit_after = -result.held_out_after.log_likelihood_per_second;
         }
-        judgement.baseline_retuning = !result.retuned_outside.empty() ? "parameter-error" : result.retuned.rms_db < kConcealed_db ? "consistent" : "misfit";
+        judgement.baseline_retuning = !result.retuned_outside.empty()         ? "parameter-error"
+                                      : result.retuned.rms_db < kConcealed_db ? "consistent"
+                                                                              : "misfit";
         judgement.baseline_bic = result.bic_gain > 0.0 ? "best set" : "consistent";
     }
     judgement.wrong = wrong_with(truth, judgement);

@@ -8,8 +8,9 @@
 #include <future>
 #include <thread>
 
-#include "app/simulated_recording_files.hpp"
-#include "simulate/simulate.hpp"
+#include "app/tables/simulated_recording_files.hpp"
+#include "diagnosis/observations/observe.hpp"
+#include "simulate/march/simulate.hpp"
 
 namespace railpem::app {
 
@@ -17,12 +18,16 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
+double seconds_since(Clock::time_point begin) {
+    return std::chrono::duration<double>(Clock::now() - begin).count();
+}
 
 simulate::Recording simulate_record(const TrialTruth& truth, const TrialRecord& record) {
     pem::CaseParameters parameters = truth.parameters;
     parameters.vehicle.payload_kg = record.payload_kg;
-    simulate::Options options{.seconds = truth.seconds, .speed_m_per_s = record.speed_m_per_s, .seed = record.seed,
+    simulate::Options options{.seconds = truth.seconds,
+                              .speed_m_per_s = record.speed_m_per_s,
+                              .seed = record.seed,
                               .noise_rms_m_per_s2 = truth.noise_rms_m_per_s2};
     options.only_here = truth.only_here;
     simulate::Recording recording = simulate::simulate(parameters, options);
@@ -31,7 +36,9 @@ simulate::Recording simulate_record(const TrialTruth& truth, const TrialRecord& 
 }
 
 recordings::Location location_of(const std::string& name) {
-    return name == "wheel" ? recordings::Location::wheel : name == "bogie" ? recordings::Location::bogie : recordings::Location::body;
+    return name == "wheel"   ? recordings::Location::wheel
+           : name == "bogie" ? recordings::Location::bogie
+                             : recordings::Location::body;
 }
 
 void keep_recordings(const std::vector<simulate::Recording>& records, const std::filesystem::path& folder) {
@@ -51,7 +58,8 @@ std::vector<simulate::Recording> simulate_trial(const TrialTruth& truth, int thr
         const std::size_t end = std::min(records.size(), begin + static_cast<std::size_t>(most));
         std::vector<std::future<simulate::Recording>> running;
         for (std::size_t i = begin; i < end; ++i)
-            running.push_back(std::async(std::launch::async, [&truth, i] { return simulate_record(truth, truth.records[i]); }));
+            running.push_back(
+                std::async(std::launch::async, [&truth, i] { return simulate_record(truth, truth.records[i]); }));
         for (std::size_t i = begin; i < end; ++i) records[i] = running[i - begin].get();
     }
     return records;
@@ -59,27 +67,37 @@ std::vector<simulate::Recording> simulate_trial(const TrialTruth& truth, int thr
 
 recordings::Recording measured_recording(const simulate::Recording& simulated) {
     recordings::Recording recording;
-    recording.description = {.data = "recording.csv", .sampling_rate_hz = simulated.sampling_rate_hz, .speed_m_per_s = simulated.speed_m_per_s,
-                             .speed_standard_error_m_per_s = simulated.speed_standard_error_m_per_s, .payload_kg = simulated.payload_kg};
+    recording.description = {.data = "recording.csv",
+                             .sampling_rate_hz = simulated.sampling_rate_hz,
+                             .speed_m_per_s = simulated.speed_m_per_s,
+                             .speed_standard_error_m_per_s = simulated.speed_standard_error_m_per_s,
+                             .payload_kg = simulated.payload_kg};
     recording.series.sampling_rate_hz = simulated.sampling_rate_hz;
     for (const simulate::Channel& channel : simulated.channels) {
-        const recordings::ChannelDescription description{.name = channel.name, .column = channel.name, .unit = "m/s^2", .location = location_of(channel.location),
-                                                         .index = channel.index, .position_m = channel.position_m};
+        const recordings::ChannelDescription description{.name = channel.name,
+                                                         .column = channel.name,
+                                                         .unit = "m/s^2",
+                                                         .location = location_of(channel.location),
+                                                         .index = channel.index,
+                                                         .position_m = channel.position_m};
         recording.description.channels.push_back(description);
         recording.series.channels.push_back({description, channel.acceleration_m_per_s2});
     }
     return recording;
 }
 
-diagnosis::Diagnosis diagnose_recordings(const diagnosis::BelievedCase& believed, const std::vector<recordings::Recording>& recordings,
+diagnosis::Diagnosis diagnose_recordings(const diagnosis::BelievedCase& believed,
+                                         const std::vector<recordings::Recording>& recordings,
                                          const TrialOptions& options) {
     std::vector<diagnosis::Observation> observations;
     for (std::size_t i = 0; i < recordings.size(); ++i)
-        observations.push_back(diagnosis::observe(recordings[i], fmt::format("record_{}", i + 1), believed.numbers, options.observation));
+        observations.push_back(
+            diagnosis::observe(recordings[i], fmt::format("record_{}", i + 1), believed.numbers, options.observation));
     return diagnosis::diagnose(believed, observations, options.diagnosis);
 }
 
-TrialResult run_trial(const diagnosis::BelievedCase& believed, const TrialTruth& truth, const TrialOptions& options, const std::filesystem::path& keep) {
+TrialResult run_trial(const diagnosis::BelievedCase& believed, const TrialTruth& truth, const TrialOptions& options,
+                      const std::filesystem::path& keep) {
     const Clock::time_point begin = Clock::now();
     std::vector<recordings::Recording> measured;
     try {

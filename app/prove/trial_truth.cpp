@@ -11,7 +11,8 @@ namespace railpem::app {
 namespace {
 
 std::string place_of(const simulate::Hidden& hidden) {
-    if (hidden.id == "parameter-error") return element_name(diagnosis::element_of_key(hidden.values.texts.at("parameter")));
+    if (hidden.id == "parameter-error")
+        return element_name(diagnosis::element_of_key(hidden.values.texts.at("parameter")));
     if (hidden.id == "suspension-friction") return hidden.values.texts.at("stage");
     for (const simulate::HiddenEffect& effect : simulate::hidden_effects())
         if (effect.id == hidden.id) return effect.place;
@@ -22,12 +23,18 @@ std::string place_of(const simulate::Hidden& hidden) {
 
 std::string kind_name(TrialKind kind) {
     switch (kind) {
-        case TrialKind::nothing: return "nothing";
-        case TrialKind::single: return "single";
-        case TrialKind::pair: return "pair";
-        case TrialKind::sensor: return "sensor";
-        case TrialKind::parameter_error: return "parameter-error";
-        case TrialKind::outside: return "outside";
+        case TrialKind::nothing:
+            return "nothing";
+        case TrialKind::single:
+            return "single";
+        case TrialKind::pair:
+            return "pair";
+        case TrialKind::sensor:
+            return "sensor";
+        case TrialKind::parameter_error:
+            return "parameter-error";
+        case TrialKind::outside:
+            return "outside";
     }
     return {};
 }
@@ -49,7 +56,8 @@ double true_strength(const TrialTruth& truth) {
     return hidden.values.numbers.at(draw->strength);
 }
 
-double true_value(const TrialTruth& truth, const std::string& effect, const std::string& key, const std::string& parameter) {
+double true_value(const TrialTruth& truth, const std::string& effect, const std::string& key,
+                  const std::string& parameter) {
     for (const simulate::Hidden& hidden : truth.hidden) {
         if (hidden.id != effect) continue;
         if (effect == "parameter-error") {
@@ -67,7 +75,8 @@ double true_value(const TrialTruth& truth, const std::string& effect, const std:
 std::string trial_truth_text(const TrialTruth& truth) {
     using nlohmann::ordered_json;
     ordered_json effects = ordered_json::array(), numbers = ordered_json::array(), records = ordered_json::array();
-    for (const simulate::Hidden& hidden : truth.hidden) effects.push_back(ordered_json::parse(simulate::hidden_json(hidden)));
+    for (const simulate::Hidden& hidden : truth.hidden)
+        effects.push_back(ordered_json::parse(simulate::hidden_json(hidden)));
     for (const TrueNumber& number : truth.numbers)
         numbers.push_back({{"key", number.key}, {"believed", number.believed}, {"true", number.truth}});
     for (const TrialRecord& record : truth.records)

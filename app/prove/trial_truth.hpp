@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "app/case_schema.hpp"
-#include "diagnosis/believed_case.hpp"
-#include "simulate/hidden_effects.hpp"
+#include "app/schema/case_schema.hpp"
+#include "diagnosis/observations/believed_case.hpp"
+#include "simulate/effects/hidden_effects.hpp"
 
 namespace railpem::app {
 
@@ -48,12 +48,14 @@ struct TrialTruth {
 /// Elements of the structure in which something is hidden, as the diagnosis writes them; each once.
 std::vector<std::string> true_places(const TrialTruth& truth);
 
-/// Value of the parameter by which the hidden effect fades; NaN for none, several, or an effect without such a parameter.
+/// Value of the parameter by which the hidden effect fades; NaN for none, several, or an effect without such a
+/// parameter.
 double true_strength(const TrialTruth& truth);
 
-/// The true value of a fitted parameter of `effect` in what is hidden, nuisance errors of the believed case included; NaN
-/// where the truth has no such number. `key`: of the number, for `parameter-error`.
-double true_value(const TrialTruth& truth, const std::string& effect, const std::string& key, const std::string& parameter);
+/// The true value of a fitted parameter of `effect` in what is hidden, nuisance errors of the believed case included;
+/// NaN where the truth has no such number. `key`: of the number, for `parameter-error`.
+double true_value(const TrialTruth& truth, const std::string& effect, const std::string& key,
+                  const std::string& parameter);
 
 /// The truth as JSON. Equal trials give equal bits.
 std::string trial_truth_text(const TrialTruth& truth);

@@ -21,7 +21,8 @@ Json numbers(const std::vector<double>& values) {
 }
 
 /// A curve on the common abscissae; `more` are the optional keys of a set.
-void add_set(Json& sets, const char* name, const char* group, const std::vector<double>& values, const Json& more = {}) {
+void add_set(Json& sets, const char* name, const char* group, const std::vector<double>& values,
+             const Json& more = {}) {
     if (values.empty()) return;
     Json set = {{"name", name}, {"group", group}, {"y", numbers(values)}};
     if (!more.is_null()) set.update(more);

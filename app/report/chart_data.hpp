@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <nlohmann/json_fwd.hpp>
 
-#include "diagnosis/diagnosis.hpp"
+#include "diagnosis/findings/diagnosis.hpp"
 
 namespace railpem::app::report {
 

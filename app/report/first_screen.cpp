@@ -81,7 +81,8 @@ double verdict_probability(const Diagnosis& diagnosis) {
     for (const diagnosis::NamedEffect& effect : diagnosis.omitted) named.push_back(effect.instance.effect);
     const auto is_meant = [&](const diagnosis::EffectSet& set) {
         if (diagnosis.verdict == Verdict::consistent) return set.effects.empty();
-        if (diagnosis.verdict == Verdict::explained || diagnosis.verdict == Verdict::recording_fault) return set.effects == named;
+        if (diagnosis.verdict == Verdict::explained || diagnosis.verdict == Verdict::recording_fault)
+            return set.effects == named;
         return false;
     };
     const auto found = std::find_if(diagnosis.posterior.begin(), diagnosis.posterior.end(), is_meant);
@@ -106,7 +107,9 @@ std::string place_bars(const Diagnosis& diagnosis) {
             "<div class=\"bar\"><span>{}</span><span class=\"track\"><i class=\"hot\" "
             "style=\"width:{:.1f}%\"></i></span><span "
             "class=\"number\">{}{}</span></div>\n",
-            element_name(place.element), width, percent(place.probability), place.nats > 0.0 ? ", " + figure(place.nats) + " nats" : "");  // below 0 a free correction is worth nothing
+            // below 0 a free correction is worth nothing
+            element_name(place.element), width, percent(place.probability),
+            place.nats > 0.0 ? ", " + figure(place.nats) + " nats" : "");
     }
     return out;
 }

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "diagnosis/diagnosis.hpp"
+#include "diagnosis/findings/diagnosis.hpp"
 
 namespace railpem::app::report {
 

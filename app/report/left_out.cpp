@@ -59,7 +59,10 @@ std::string rms_bar(const std::string& name, const char* kind, double value_db, 
 
 /// Of a verdict that is held against a case which keeps what was believed: what retuning reaches that need not.
 std::string freely_words(const diagnosis::FitFigures& freely) {
-    return fmt::format("retuned keeps what is given up within two tolerances of the belief; where it may leave it for what that costs it reaches {} and log-likelihood {}", decibels(freely.rms_db), figure(freely.log_likelihood_per_second));
+    return fmt::format(
+        "retuned keeps what is given up within two tolerances of the belief; where it may leave it for what that costs "
+        "it reaches {} and log-likelihood {}",
+        decibels(freely.rms_db), figure(freely.log_likelihood_per_second));
 }
 
 std::string fit_bars(const Diagnosis& d, bool seen) {
@@ -75,12 +78,16 @@ std::string fit_bars(const Diagnosis& d, bool seen) {
     out += rms_bar("believed", "believed", before.rms_db, largest) +
            rms_bar("retuned", "retuned", retuned.rms_db, largest) +
            rms_bar("diagnosed", "diagnosed", after.rms_db, largest);
-    if (d.freely_retuned) out += "<p class=\"soft\">" + sentence(freely_words(seen ? d.freely_retuned->fitted : d.freely_retuned->held_out)) + "</p>\n";
+    if (d.freely_retuned)
+        out += "<p class=\"soft\">" +
+               sentence(freely_words(seen ? d.freely_retuned->fitted : d.freely_retuned->held_out)) + "</p>\n";
     return out + fmt::format(
                      "<p class=\"soft\">Log-likelihood per {}{}: believed {}, retuned {}, "
                      "diagnosed "
                      "{}.</p></div>\n",
-                     d.per_value ? "value" : "second", seen ? ", 0 is the best possible" : ", to be compared with each other", figure(before.log_likelihood_per_second), figure(retuned.log_likelihood_per_second),
+                     d.per_value ? "value" : "second",
+                     seen ? ", 0 is the best possible" : ", to be compared with each other",
+                     figure(before.log_likelihood_per_second), figure(retuned.log_likelihood_per_second),
                      figure(after.log_likelihood_per_second));
 }
 
@@ -92,10 +99,11 @@ std::string rival_card(const diagnosis::Rival& rival) {
         for (const auto& [name, value] : instance.values)
             values += (values.empty() ? "" : ", ") + escaped(name) + " " + figure(value);
     }
-    std::string out =
-        fmt::format("<article class=\"card\"><h3>{}</h3><p class=\"soft\">Probability {}, {} nats behind; on data unseen {} nats over retuning{}.</p>",
-                    set_words(rival.effects), percent(rival.probability), figure(rival.nats_behind), figure(rival.nats_held_out),
-                    values.empty() ? "" : "; " + values);
+    std::string out = fmt::format(
+        "<article class=\"card\"><h3>{}</h3><p class=\"soft\">Probability {}, {} nats behind; on data unseen {} nats "
+        "over retuning{}.</p>",
+        set_words(rival.effects), percent(rival.probability), figure(rival.nats_behind), figure(rival.nats_held_out),
+        values.empty() ? "" : "; " + values);
     if (!rival.why_not.empty()) out += "<p><b>Why not:</b> " + sentence(rival.why_not) + "</p>";
     if (!rival.would_separate.empty()) out += "<p><b>Would separate:</b> " + sentence(rival.would_separate) + "</p>";
     return out + "</article>\n";

@@ -69,9 +69,15 @@ std::string summary(const Diagnosis& diagnosis, std::size_t outside) {
             ? "removes <b>" + percent(diagnosis.hidden_by_retuning) + "</b> of the likelihood deficit and "
             : "";
     const bool kept = diagnosis.freely_retuned.has_value();
-    std::string out = fmt::format("<p>Retuning the believed parameters, with nothing added, {}brings the misfit from {} to {}. ", removed, decibels(diagnosis.before.rms_db),
-                                  decibels(kept ? diagnosis.freely_retuned->fitted.rms_db : diagnosis.retuned.rms_db));
-    if (kept) out += fmt::format("It leaves what was believed for that; where it keeps it within two tolerances, as everywhere else on this page, it gets to {}. ", decibels(diagnosis.retuned.rms_db));
+    std::string out =
+        fmt::format("<p>Retuning the believed parameters, with nothing added, {}brings the misfit from {} to {}. ",
+                    removed, decibels(diagnosis.before.rms_db),
+                    decibels(kept ? diagnosis.freely_retuned->fitted.rms_db : diagnosis.retuned.rms_db));
+    if (kept)
+        out += fmt::format(
+            "It leaves what was believed for that; where it keeps it within two tolerances, as everywhere else on this "
+            "page, it gets to {}. ",
+            decibels(diagnosis.retuned.rms_db));
     if (diagnosis.retuned_numbers.empty()) return out + "</p>\n";
     out += fmt::format("<b>{}</b> of {} parameters leave their tolerance for it", outside,
                        diagnosis.retuned_numbers.size());

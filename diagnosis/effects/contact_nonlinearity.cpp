@@ -20,14 +20,16 @@ Effect contact_nonlinearity() {
                         .strength = true,
                         .nothing = 1.0,
                         .inexact = 0.035,  // docs/theory/diagnosis.md
-                        .least = 0.15,  // what a contact distorts is known within the tolerance of its constant
+                        .least = 0.15,     // what a contact distorts is known within the tolerance of its constant
                         .says = "nonlinearity over that of the case; 1 is no excess"}},
         .elements = {Element::contact},
         .bands = {{80.0, 200.0}},
         .mimics =
             "A softer contact (parameter-error of contact.constant_m_per_n23); the nonlinear one goes with the level "
             "of excitation, so a rougher section or a higher speed separates.",
-        .abrupt = true,  // its distortion grows with the square of the factor, its stiffness falls: at 1 the derivative may point the wrong way (a factor of 2 was missed so)
+        // its distortion grows with the square of the factor, its stiffness falls: at 1 the derivative may point the
+        // wrong way (a factor of 2 was missed so)
+        .abrupt = true,
         .approximate = true,
         .obstacle = {},
         .apply =

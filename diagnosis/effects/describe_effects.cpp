@@ -73,8 +73,10 @@ std::string effect_text(const Effect& effect) {
     page += "| parameter | unit | range | typical | prior | what it is |\n|---|---|---|---|---|---|\n";
     for (const EffectChoice& choice : effect.choices) page += choice_text(choice);
     for (const EffectParameter& parameter : effect.parameters) page += parameter_text(parameter);
-    page += fmt::format("\n- **Law**: {}.\n- **Place**: {}; shows at {}.\n- **Mimics**: {}\n{}- **Source**: {}.\n\n", effect.equation, elements_text(effect), bands_text(effect),
-                        effect.mimics, effect.not_told.empty() ? "" : fmt::format("- **Not told**: {}.\n", effect.not_told), effect.source);
+    page += fmt::format("\n- **Law**: {}.\n- **Place**: {}; shows at {}.\n- **Mimics**: {}\n{}- **Source**: {}.\n\n",
+                        effect.equation, elements_text(effect), bands_text(effect), effect.mimics,
+                        effect.not_told.empty() ? "" : fmt::format("- **Not told**: {}.\n", effect.not_told),
+                        effect.source);
     page += fmt::format("![spectra with and without {0}](effects/{0}.png)\n\n", effect.id);
     return page;
 }

@@ -25,11 +25,16 @@ struct EffectParameter {
     Spread spread = Spread::uniform;
     bool strength = false;  ///< the effect vanishes as all parameters so marked go to `nothing`
     double nothing = 0.0;   ///< may be infinite, or lie outside of the range
-    bool amplitude = false; ///< the effect is a source of its own whose power grows with (value − nothing)²: no derivative at nothing shows it
-    bool law = false;       ///< bends the law of an effect that is there: sought from its typical value alone
-    bool comb = false;      ///< a distance with lines at all multiples of v/distance: its divisors and multiples have many of them too
-    double inexact = 0.0;   ///< relative standard deviation by which fitted values miss those of marched records beyond what the data leave open: what the law itself gets wrong
-    double least = 0.0;     ///< distance from `nothing` below which nobody would speak of the effect: models are off by as much
+    /// the effect is a source of its own whose power grows with (value − nothing)²: no derivative at nothing shows it
+    bool amplitude = false;
+    bool law = false;  ///< bends the law of an effect that is there: sought from its typical value alone
+    /// a distance with lines at all multiples of v/distance: its divisors and multiples have many of them too
+    bool comb = false;
+    /// relative standard deviation by which fitted values miss those of marched records beyond what the data leave
+    /// open: what the law itself gets wrong
+    double inexact = 0.0;
+    /// distance from `nothing` below which nobody would speak of the effect: models are off by as much
+    double least = 0.0;
     std::string says;
 };
 
@@ -79,17 +84,27 @@ struct Effect {
     std::vector<EffectChoice> choices;
     std::vector<Element> elements;  ///< where it sits; several when a choice decides
     std::vector<Band> bands;
-    std::string mimics;  ///< what looks like it, and what would tell them apart
+    std::string mimics;         ///< what looks like it, and what would tell them apart
     std::string not_told = {};  ///< what of its law no recording of the usual kind tells: said wherever it is named
-    bool abrupt = false;    ///< in its range it is never slight: screening looks at typical values instead of near nothing
-    int most_instances = 1;   ///< of one variant in a set
-    bool approximate = false; ///< its law is an approximation (linearised about the level of vibration, or one that nothing in time obeys): part of it stays unexplained
-    double bends_numbers = 0.0;  ///< tolerances by which numbers of the case may end off beside it, furthest_number(): what its law leaves is put down to them; 0: as beside any other
-    bool replaces = false;  ///< it takes the place of a law of the case: no derivative at vanishing strength speaks for it
-    bool excites = false;   ///< it adds to what excites; how anything responds to it stays as it is, wherever it sits
+    /// in its range it is never slight: screening looks at typical values instead of near nothing
+    bool abrupt = false;
+    int most_instances = 1;  ///< of one variant in a set
+    /// its law is an approximation (linearised about the level of vibration, or one that nothing in time obeys): part
+    /// of it stays unexplained
+    bool approximate = false;
+    /// tolerances by which numbers of the case may end off beside it, furthest_number(): what its law leaves is put
+    /// down to them; 0: as beside any other
+    double bends_numbers = 0.0;
+    /// it takes the place of a law of the case: no derivative at vanishing strength speaks for it
+    bool replaces = false;
+    bool excites = false;  ///< it adds to what excites; how anything responds to it stays as it is, wherever it sits
     bool lines_alone = false;  ///< what it adds are lines, and nothing broadband changes
-    bool retuned = false;   ///< retuning moves the same within its belief: where that is given up for a name the recordings themselves need gain nothing
-    bool follows_load = false;  ///< what it does differs with the wheel load of a recording: a free correction, the same for all of them, need not show it
+    /// retuning moves the same within its belief: where that is given up for a name the recordings themselves need gain
+    /// nothing
+    bool retuned = false;
+    /// what it does differs with the wheel load of a recording: a free correction, the same for all of them, need not
+    /// show it
+    bool follows_load = false;
     /// What in the case forbids the effect (it is there already, or something else overrides it); null: nothing can.
     std::function<std::optional<Obstacle>(const pem::CaseParameters&)> obstacle;
     /// Turns a believed case into one with the effect by setting data. The instance states every parameter. Adds to

@@ -47,8 +47,12 @@ Effect failed_fasteners() {
             "while a shape of the rail does not. Random ones look like a rougher track of long waves "
             "(irregularity-spectrum); again a second load separates.",
         .abrupt = true,
-        .approximate = true,  // what swings between a failed seat and the next is as if the wheels stood everywhere; of seats at random to first order
-        .bends_numbers = 11.0,  // rails 0.8 times as heavy, contacts twice as soft: 4.8 to 10.8 tolerances beside five right ones before what regular ones scatter was expected, 12.9 and more beside plays of the fastenings
+        // what swings between a failed seat and the next is as if the wheels stood everywhere; of seats at random to
+        // first order
+        .approximate = true,
+        // rails 0.8 times as heavy, contacts twice as soft: 4.8 to 10.8 tolerances beside five right ones before what
+        // regular ones scatter was expected, 12.9 and more beside plays of the fastenings
+        .bends_numbers = 11.0,
         .obstacle = [](const pem::CaseParameters& parameters) -> std::optional<Obstacle> {
             if (parameters.track.failed_fasteners.empty()) return std::nullopt;
             return Obstacle{"the case has failed fasteners already", "a case without [[track.failed_fasteners]]"};

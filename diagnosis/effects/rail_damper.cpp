@@ -7,7 +7,8 @@ Effect rail_damper() {
         .id = "rail-damper",
         .says = "tuned masses hang on the rail and take energy out of it near their frequency",
         .equation =
-            "added mass per metre of rail m_d ω_d²(1 + iη)/(ω_d²(1 + iη) − ω²), η = loss_factor·(ω/ω_d)^p; one instance per mass of the damper",
+            "added mass per metre of rail m_d ω_d²(1 + iη)/(ω_d²(1 + iη) − ω²), η = loss_factor·(ω/ω_d)^p; one "
+            "instance per mass of the damper",
         .source = "Thompson, Jones, Waters & Farrington 2007, Applied Acoustics 68",
         .parameters = {{.name = "mass_kg_per_m",
                         .unit = "kg/m",
@@ -38,7 +39,8 @@ Effect rail_damper() {
                         .high = 1.0,
                         .typical = 0.0,
                         .law = true,
-                        .says = "exponent p with which the loss factor grows, (f/f_d)^p: 0 for rubber, 1 for a dashpot"}},
+                        .says =
+                            "exponent p with which the loss factor grows, (f/f_d)^p: 0 for rubber, 1 for a dashpot"}},
         .elements = {Element::rail},
         .bands = {{40.0, 6000.0}},
         .mimics =

@@ -31,7 +31,9 @@ Effect rail_shear() {
             "A rail with less bending stiffness (parameter-error of track.rail.second_moment_of_area_m4) is as soft "
             "at one frequency; a receptance at mid-bay and over a pad, or the pinned–pinned frequency, separates. "
             "In a running train it shows mostly as a larger sleeper-passing line.",
-        .approximate = true,  // from one support to the next its receptance swings four times as far as an Euler rail's: the mean is 0.2 % off at 150 Hz, and what swings is taken to first order
+        // from one support to the next its receptance swings four times as far as an Euler rail's: the mean is 0.2 %
+        // off at 150 Hz, and what swings is taken to first order
+        .approximate = true,
         .replaces = true,
         .obstacle = [](const pem::CaseParameters& parameters) -> std::optional<Obstacle> {
             if (parameters.track.rail.beam == track::Beam::euler) return std::nullopt;

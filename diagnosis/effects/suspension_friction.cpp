@@ -9,7 +9,8 @@ Effect suspension_friction() {
             "there is dry friction in the suspension: it damps strongly when little moves and hardly when much does",
         .equation =
             "F·sgn(u̇), by statistical linearisation c = F·√(2/π)/σ with σ the rms velocity that results; adds to "
-            "the case's own; a diagnosis also expects what is left, a force of correlation F²·(2/π)·(asin ρ − ρ) with ρ "
+            "the case's own; a diagnosis also expects what is left, a force of correlation F²·(2/π)·(asin ρ − ρ) with "
+            "ρ "
             "that of the velocities",
         .source =
             "Roberts & Spanos 1990, Random Vibration and Statistical Linearization; Bruni et al. 2011, Vehicle System "
@@ -32,8 +33,10 @@ Effect suspension_friction() {
             "A stronger damper of that stage (parameter-error) at one level of excitation; a rougher section, or "
             "another speed, changes the equivalent damping of friction and leaves a damper as it is.",
         .not_told =
-            "how much harder it holds at rest than it slides (stick-slip): where runs at several speeds do not rule that "
-            "out the verdict is ambiguous; what holds a little harder is named, with up to 1.4 times the force of sliding",
+            "how much harder it holds at rest than it slides (stick-slip): where runs at several speeds do not rule "
+            "that "
+            "out the verdict is ambiguous; what holds a little harder is named, with up to 1.4 times the force of "
+            "sliding",
         .approximate = true,
         .obstacle = {},
         .apply =

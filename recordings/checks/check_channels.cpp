@@ -91,12 +91,18 @@ void check_order(const Evidence& evidence, std::vector<Fault>& faults) {
     }
     // A sound order leaves less than a ten-thousandth; a swap of two neighbours leaves more than a hundredth.
     if (as_described < 0.005 || best > 0.2 * as_described) return;
-    // As few pairs as one fit some order at any delay. An axle that resonates gives such delays: they say another speed than the bogies do.
+    // As few pairs as one fit some order at any delay. An axle that resonates gives such delays: they say another speed
+    // than the bogies do.
     constexpr double kSameSpeed = 0.05;
-    const auto is_of_wheels = [&](const PairDelay& pair) { return std::find(members.begin(), members.end(), pair.front) != members.end(); };
-    const auto pairs = static_cast<std::size_t>(std::count_if(evidence.delays.begin(), evidence.delays.end(), is_of_wheels));
+    const auto is_of_wheels = [&](const PairDelay& pair) {
+        return std::find(members.begin(), members.end(), pair.front) != members.end();
+    };
+    const auto pairs =
+        static_cast<std::size_t>(std::count_if(evidence.delays.begin(), evidence.delays.end(), is_of_wheels));
     misfit(best_order);
-    if (pairs < members.size() && evidence.speed && std::abs(slowness * evidence.speed->speed_m_per_s - 1.0) > kSameSpeed) return;
+    if (pairs < members.size() && evidence.speed &&
+        std::abs(slowness * evidence.speed->speed_m_per_s - 1.0) > kSameSpeed)
+        return;
     std::vector<std::string> names;
     std::string says;
     for (std::size_t i = 0; i < members.size(); ++i)

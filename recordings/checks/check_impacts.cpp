@@ -6,8 +6,8 @@
 #include <numeric>
 
 #include "recordings/checks/checks.hpp"
-#include "recordings/confidence.hpp"
-#include "recordings/fourier_transform.hpp"
+#include "recordings/estimates/confidence.hpp"
+#include "recordings/estimates/fourier_transform.hpp"
 
 namespace railpem::recordings::checks {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "recordings/checks/checks.hpp"
-#include "recordings/line_names.hpp"
+#include "recordings/checks/line_names.hpp"
 
 namespace railpem::recordings::checks {
 namespace {

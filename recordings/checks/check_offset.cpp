@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "recordings/checks/checks.hpp"
-#include "recordings/confidence.hpp"
-#include "recordings/fourier_transform.hpp"
+#include "recordings/estimates/confidence.hpp"
+#include "recordings/estimates/fourier_transform.hpp"
 #include "recordings/units.hpp"
 
 namespace railpem::recordings::checks {

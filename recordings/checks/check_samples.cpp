@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "recordings/checks/checks.hpp"
-#include "recordings/confidence.hpp"
+#include "recordings/estimates/confidence.hpp"
 #include "recordings/units.hpp"
 
 namespace railpem::recordings::checks {

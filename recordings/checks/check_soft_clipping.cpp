@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "recordings/checks/checks.hpp"
-#include "recordings/confidence.hpp"
+#include "recordings/estimates/confidence.hpp"
 #include "recordings/units.hpp"
 
 namespace railpem::recordings::checks {

@@ -5,7 +5,7 @@
 
 #include "parameters/parameter_error.hpp"
 #include "recordings/checks/checks.hpp"
-#include "recordings/confidence.hpp"
+#include "recordings/estimates/confidence.hpp"
 
 namespace railpem::recordings::checks {
 namespace {

@@ -6,7 +6,7 @@
 #include <map>
 
 #include "recordings/checks/checks.hpp"
-#include "recordings/confidence.hpp"
+#include "recordings/estimates/confidence.hpp"
 
 namespace railpem::recordings::checks {
 namespace {

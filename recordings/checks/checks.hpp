@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "recordings/cross_spectra.hpp"
+#include "recordings/checks/inspection_context.hpp"
+#include "recordings/estimates/cross_spectra.hpp"
+#include "recordings/estimates/spectral_lines.hpp"
+#include "recordings/estimates/wheelbase_speed.hpp"
 #include "recordings/fault.hpp"
-#include "recordings/inspection_context.hpp"
-#include "recordings/spectral_lines.hpp"
-#include "recordings/wheelbase_speed.hpp"
 
 namespace railpem::recordings::checks {
 

@@ -5,7 +5,7 @@
 #include <benchmark/benchmark.h>
 
 #include "../verification/pem/paper_case.hpp"
-#include "simulate/simulate.hpp"
+#include "simulate/march/simulate.hpp"
 
 namespace {
 
@@ -18,7 +18,8 @@ void march(benchmark::State& state, const pem::CaseParameters& parameters) {
     double solves = 0.0;
     for (auto _ : state) solves = simulate::simulate(parameters, options).making.solves_per_step;
     state.counters["track_solves_per_step"] = solves;
-    state.counters["record_s_per_s"] = benchmark::Counter(10.5 * static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
+    state.counters["record_s_per_s"] =
+        benchmark::Counter(10.5 * static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
 }
 
 pem::CaseParameters causal(int number) {
@@ -29,7 +30,8 @@ pem::CaseParameters causal(int number) {
 
 pem::CaseParameters two_layers() {
     auto c = causal(2);
-    c.track.support = {.model = track::SupportModel::two_layer, .mass_kg = 150, .stiffness_n_per_m = 8e7, .damping_n_s_per_m = 8e4};
+    c.track.support = {
+        .model = track::SupportModel::two_layer, .mass_kg = 150, .stiffness_n_per_m = 8e7, .damping_n_s_per_m = 8e4};
     return c;
 }
 

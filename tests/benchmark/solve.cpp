@@ -10,12 +10,12 @@
 #include <numbers>
 
 #include "../verification/pem/every_track_effect.hpp"
-#include "pem/coupled_model.hpp"
-#include "pem/passing_lines.hpp"
-#include "pem/solution.hpp"
-#include "pem/track_response.hpp"
-#include "pem/wheel_transfers.hpp"
-#include "track/exact_rail.hpp"
+#include "pem/coupling/coupled_model.hpp"
+#include "pem/coupling/passing_lines.hpp"
+#include "pem/coupling/solution.hpp"
+#include "pem/coupling/track_response.hpp"
+#include "pem/coupling/wheel_transfers.hpp"
+#include "track/rail/exact_rail.hpp"
 
 namespace {
 
@@ -29,16 +29,24 @@ lanes::Real lines_from(double frequency) {
 
 pem::CaseParameters uic60() {
     pem::CaseParameters c = tests::paper_case(1);
-    c.track.rail = {.beam = track::Beam::timoshenko, .youngs_modulus_pa = 210e9, .second_moment_of_area_m4 = 3038.3e-8, .mass_kg_per_m = 60.2,
-                    .loss_factor = 0.02, .shear_modulus_pa = 81e9, .shear_coefficient = 0.4, .cross_section_m2 = 60.2 / 7850.0};
+    c.track.rail = {.beam = track::Beam::timoshenko,
+                    .youngs_modulus_pa = 210e9,
+                    .second_moment_of_area_m4 = 3038.3e-8,
+                    .mass_kg_per_m = 60.2,
+                    .loss_factor = 0.02,
+                    .shear_modulus_pa = 81e9,
+                    .shear_coefficient = 0.4,
+                    .cross_section_m2 = 60.2 / 7850.0};
     c.track.pads = {.static_stiffness_n_per_m = 300e6, .loss_factor = 0.25, .loss_law = track::LossLaw::constant};
-    c.track.support = {.model = track::SupportModel::two_layer, .mass_kg = 162.0, .stiffness_n_per_m = 50e6, .loss_factor = 1.0};
+    c.track.support = {
+        .model = track::SupportModel::two_layer, .mass_kg = 162.0, .stiffness_n_per_m = 50e6, .loss_factor = 1.0};
     return c;
 }
 
-/// Floating-point operations per node and line of track::rail_receptance, counted in its source (complex product 6, sum 2, reciprocal
-/// 6). Condensation: block plus stretch 8, inverse 44, product with the stretch 56, sign 8, next block 68, pad-sum load 60.
-/// Selected inversion: two products 112, sum 8, pad sum 32, columns of the points met 56 (two on average).
+/// Floating-point operations per node and line of track::rail_receptance, counted in its source (complex product 6, sum
+/// 2, reciprocal 6). Condensation: block plus stretch 8, inverse 44, product with the stretch 56, sign 8, next block
+/// 68, pad-sum load 60. Selected inversion: two products 112, sum 8, pad sum 32, columns of the points met 56 (two on
+/// average).
 constexpr double kFlopPerNode = 244.0 + 208.0;
 
 /// What the core can do: independent chains of multiply-add in lanes, as the compiler writes them for everything else.
@@ -54,7 +62,8 @@ void core_peak_multiply_add(benchmark::State& state) {
             for (lanes::Real& value : x) value = value * factor + summand;
         benchmark::DoNotOptimize(x);
     }
-    state.counters["flop_per_s"] = benchmark::Counter(2.0 * kChains * kSteps * lanes::width, benchmark::Counter::kIsIterationInvariantRate);
+    state.counters["flop_per_s"] =
+        benchmark::Counter(2.0 * kChains * kSteps * lanes::width, benchmark::Counter::kIsIterationInvariantRate);
 }
 BENCHMARK(core_peak_multiply_add)->Unit(benchmark::kMicrosecond);
 
@@ -82,7 +91,8 @@ void rail_receptance_exact(benchmark::State& state) {
     state.SetItemsProcessed(state.iterations() * lanes::width);
     const double nodes = static_cast<double>(rail.nodes.size());
     state.counters["nodes"] = nodes;
-    state.counters["flop_per_s"] = benchmark::Counter(kFlopPerNode * nodes * lanes::width, benchmark::Counter::kIsIterationInvariantRate);
+    state.counters["flop_per_s"] =
+        benchmark::Counter(kFlopPerNode * nodes * lanes::width, benchmark::Counter::kIsIterationInvariantRate);
 }
 BENCHMARK(rail_receptance_exact)->Unit(benchmark::kMicrosecond);
 
@@ -113,26 +123,35 @@ void case_1_all_outputs(benchmark::State& state) {
 }
 BENCHMARK(case_1_all_outputs)->Unit(benchmark::kMillisecond);
 
-/// Two lines of case 1: the model more than they. What scripts/benchmark_python.py calls from Python; as there, the least of 2000 calls counts.
+/// Two lines of case 1: the model more than they. What scripts/benchmark_python.py calls from Python; as there, the
+/// least of 2000 calls counts.
 void case_1_two_lines(benchmark::State& state) {
     pem::CaseParameters c = tests::paper_case(1);
     c.frequency = {.from_hz = 22.0, .to_hz = 23.0, .step_hz = 1.0};
     for (auto _ : state) benchmark::DoNotOptimize(pem::solve_case(c, 22.2222, {.threads = 1}));
 }
-double least(const std::vector<double>& times) { return *std::min_element(times.begin(), times.end()); }
+double least(const std::vector<double>& times) {
+    return *std::min_element(times.begin(), times.end());
+}
 
-BENCHMARK(case_1_two_lines)->Unit(benchmark::kMicrosecond)->Iterations(1)->Repetitions(2000)->ComputeStatistics("least", least)->ReportAggregatesOnly();
+BENCHMARK(case_1_two_lines)
+    ->Unit(benchmark::kMicrosecond)
+    ->Iterations(1)
+    ->Repetitions(2000)
+    ->ComputeStatistics("least", least)
+    ->ReportAggregatesOnly();
 
 /// 2000 lines of case 3, all responses, static equilibrium included; threads as argument.
 void case_3_all_outputs(benchmark::State& state) {
     const pem::CaseParameters c = tests::paper_case(3);
-    for (auto _ : state) benchmark::DoNotOptimize(pem::solve_case(c, 22.2222, {.threads = static_cast<int>(state.range(0))}));
+    for (auto _ : state)
+        benchmark::DoNotOptimize(pem::solve_case(c, 22.2222, {.threads = static_cast<int>(state.range(0))}));
     state.SetItemsProcessed(state.iterations() * 1998);
 }
 BENCHMARK(case_3_all_outputs)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
 
-/// Case 3, whose pads stiffen under load and with frequency, with all other effects of the catalogue whose place is rail, pad or support, and the
-/// irregularities that make lines.
+/// Case 3, whose pads stiffen under load and with frequency, with all other effects of the catalogue whose place is
+/// rail, pad or support, and the irregularities that make lines.
 pem::CaseParameters every_effect_of_track_and_surface() {
     pem::CaseParameters c = tests::every_track_effect();
     c.irregularity.corrugation = {{.wavelength_m = 0.3, .relative_bandwidth = 0.1, .rms_m = 20e-6}};
@@ -140,8 +159,8 @@ pem::CaseParameters every_effect_of_track_and_surface() {
     return c;
 }
 
-/// The same 2000 lines with every effect of the track: to be compared with case_1_all_outputs, which has none, and case_3_all_outputs/1. Argument 0: every 8th fastener has
-/// failed; 1: one in eight, drawn.
+/// The same 2000 lines with every effect of the track: to be compared with case_1_all_outputs, which has none, and
+/// case_3_all_outputs/1. Argument 0: every 8th fastener has failed; 1: one in eight, drawn.
 void case_3_every_track_effect(benchmark::State& state) {
     pem::CaseParameters c = every_effect_of_track_and_surface();
     if (state.range(0) != 0) c.track.failed_fasteners = {{.fraction = 0.125}};
@@ -165,17 +184,22 @@ BENCHMARK(passing_lines)->Arg(0)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond);
 void wheel_transfers_350(benchmark::State& state) {
     pem::CaseParameters c = tests::paper_case(static_cast<int>(state.range(0)));
     c.solver.moving = state.range(1) != 0;
-    for (auto _ : state) benchmark::DoNotOptimize(pem::wheel_transfers(pem::coupled_model(c, 22.2222), 0.5, 0.5, 350, {0, 1, 2, 3, 4, 5, 6, 7, 8}, 1));
+    for (auto _ : state)
+        benchmark::DoNotOptimize(
+            pem::wheel_transfers(pem::coupled_model(c, 22.2222), 0.5, 0.5, 350, {0, 1, 2, 3, 4, 5, 6, 7, 8}, 1));
     state.SetItemsProcessed(state.iterations() * 350);
 }
 BENCHMARK(wheel_transfers_350)->Args({1, 0})->Args({1, 1})->Args({3, 0})->Args({3, 1})->Unit(benchmark::kMillisecond);
 
-/// The same lines of wheels in motion on case 1, all fasteners sound (0) and every 8th failed (1): 3 and 24 positions of the wheels.
+/// The same lines of wheels in motion on case 1, all fasteners sound (0) and every 8th failed (1): 3 and 24 positions
+/// of the wheels.
 void moving_failed_350(benchmark::State& state) {
     pem::CaseParameters c = tests::paper_case(1);
     c.solver.moving = true;
     if (state.range(0) != 0) c.track.failed_fasteners = {{.every = 8}};
-    for (auto _ : state) benchmark::DoNotOptimize(pem::wheel_transfers(pem::coupled_model(c, 22.2222), 0.5, 0.5, 350, {0, 1, 2, 3, 4, 5, 6, 7, 8}, 1));
+    for (auto _ : state)
+        benchmark::DoNotOptimize(
+            pem::wheel_transfers(pem::coupled_model(c, 22.2222), 0.5, 0.5, 350, {0, 1, 2, 3, 4, 5, 6, 7, 8}, 1));
     state.SetItemsProcessed(state.iterations() * 350);
 }
 BENCHMARK(moving_failed_350)->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);

@@ -1,5 +1,5 @@
-// Loaded before a program (LD_PRELOAD), lets allocations fail: the RAILPEM_FAIL_AT-th, and with RAILPEM_FAIL_ON=1 every one after it.
-// RAILPEM_COUNT_IN names a file that receives how many there were.
+// Loaded before a program (LD_PRELOAD), lets allocations fail: the RAILPEM_FAIL_AT-th, and with RAILPEM_FAIL_ON=1 every
+// one after it. RAILPEM_COUNT_IN names a file that receives how many there were.
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <unistd.h>
@@ -27,7 +27,8 @@ bool fail_on = false;
 using Main = int (*)(int, char**, char**);
 Main program_main = nullptr;
 
-/// Counting begins where the program does: nothing can be done about memory that the loader and the libraries lack before.
+/// Counting begins where the program does: nothing can be done about memory that the loader and the libraries lack
+/// before.
 int counted_main(int argc, char** argv, char** environment) {
     if (const char* at = std::getenv("RAILPEM_FAIL_AT")) fail_at = std::atol(at);
     fail_on = std::getenv("RAILPEM_FAIL_ON") != nullptr;
@@ -55,11 +56,21 @@ bool fails() {
 }  // namespace
 
 extern "C" {
-void* malloc(std::size_t size) noexcept { return fails() ? nullptr : __libc_malloc(size); }
-void* calloc(std::size_t number, std::size_t size) noexcept { return fails() ? nullptr : __libc_calloc(number, size); }
-void* realloc(void* old, std::size_t size) noexcept { return fails() ? nullptr : __libc_realloc(old, size); }
-void* memalign(std::size_t alignment, std::size_t size) noexcept { return fails() ? nullptr : __libc_memalign(alignment, size); }
-void* aligned_alloc(std::size_t alignment, std::size_t size) noexcept { return fails() ? nullptr : __libc_memalign(alignment, size); }
+void* malloc(std::size_t size) noexcept {
+    return fails() ? nullptr : __libc_malloc(size);
+}
+void* calloc(std::size_t number, std::size_t size) noexcept {
+    return fails() ? nullptr : __libc_calloc(number, size);
+}
+void* realloc(void* old, std::size_t size) noexcept {
+    return fails() ? nullptr : __libc_realloc(old, size);
+}
+void* memalign(std::size_t alignment, std::size_t size) noexcept {
+    return fails() ? nullptr : __libc_memalign(alignment, size);
+}
+void* aligned_alloc(std::size_t alignment, std::size_t size) noexcept {
+    return fails() ? nullptr : __libc_memalign(alignment, size);
+}
 int posix_memalign(void** result, std::size_t alignment, std::size_t size) noexcept {
     if (fails()) return ENOMEM;
     *result = __libc_memalign(alignment, size);
@@ -67,8 +78,10 @@ int posix_memalign(void** result, std::size_t alignment, std::size_t size) noexc
 }
 }
 
-extern "C" int __libc_start_main(Main own, int argc, char** argv, void (*begin)(), void (*finish)(), void (*unload)(), void* stack) {
+extern "C" int __libc_start_main(Main own, int argc, char** argv, void (*begin)(), void (*finish)(), void (*unload)(),
+                                 void* stack) {
     using Start = int (*)(Main, int, char**, void (*)(), void (*)(), void (*)(), void*);
     program_main = own;
-    return reinterpret_cast<Start>(dlsym(RTLD_NEXT, "__libc_start_main"))(counted_main, argc, argv, begin, finish, unload, stack);
+    return reinterpret_cast<Start>(dlsym(RTLD_NEXT, "__libc_start_main"))(counted_main, argc, argv, begin, finish,
+                                                                          unload, stack);
 }

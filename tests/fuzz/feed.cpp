@@ -9,18 +9,18 @@
 #include <functional>
 #include <stdexcept>
 
-#include "app/case_schema.hpp"
 #include "app/input_error.hpp"
-#include "app/recording_schema.hpp"
-#include "app/sweep_schema.hpp"
+#include "app/schema/case_schema.hpp"
+#include "app/schema/recording_schema.hpp"
+#include "app/schema/sweep_schema.hpp"
 #include "parameters/parameter_error.hpp"
-#include "recordings/load_tables.hpp"
+#include "recordings/files/read_binary.hpp"
+#include "recordings/files/read_csv.hpp"
+#include "recordings/files/read_error.hpp"
+#include "recordings/files/read_unprotected.hpp"
+#include "recordings/files/uff.hpp"
+#include "recordings/loading/load_tables.hpp"
 #include "recordings/measured_irregularity.hpp"
-#include "recordings/read_binary.hpp"
-#include "recordings/read_csv.hpp"
-#include "recordings/read_error.hpp"
-#include "recordings/read_unprotected.hpp"
-#include "recordings/uff.hpp"
 
 namespace railpem::fuzz {
 namespace {

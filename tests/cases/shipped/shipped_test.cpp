@@ -1,4 +1,5 @@
-// Every shipped case through the program, against the outputs that are kept beside it (scripts/update_expected.sh writes them anew).
+// Every shipped case through the program, against the outputs that are kept beside it (scripts/update_expected.sh
+// writes them anew).
 
 #include <gtest/gtest.h>
 
@@ -17,7 +18,8 @@ std::vector<fs::path> shipped_cases() {
     std::vector<fs::path> cases;
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(fs::path(RAILPEM_SOURCE_DIR) / "cases")) {
         const std::string name = entry.path().filename().string();
-        if (entry.path().extension() == ".toml" && !name.ends_with(".sweep.toml") && name != "recording.toml") cases.push_back(entry.path());
+        if (entry.path().extension() == ".toml" && !name.ends_with(".sweep.toml") && name != "recording.toml")
+            cases.push_back(entry.path());
     }
     std::sort(cases.begin(), cases.end());
     return cases;
@@ -35,7 +37,8 @@ Csv read_csv(const fs::path& path) {
     for (std::string line; std::getline(file, line);) {
         std::istringstream cells(line);
         csv.rows.emplace_back();
-        for (std::string cell; std::getline(cells, cell, ',');) csv.rows.back().push_back(std::strtod(cell.c_str(), nullptr));
+        for (std::string cell; std::getline(cells, cell, ',');)
+            csv.rows.back().push_back(std::strtod(cell.c_str(), nullptr));
     }
     return csv;
 }
@@ -50,7 +53,8 @@ void expect_same(const fs::path& expected, const fs::path& computed) {
         ASSERT_EQ(a.rows[row].size(), b.rows[row].size());
         for (std::size_t column = 0; column < a.rows[row].size(); ++column) {
             if (std::isinf(a.rows[row][column]) && a.rows[row][column] == b.rows[row][column]) continue;
-            EXPECT_NEAR(b.rows[row][column], a.rows[row][column], 1e-7 * std::abs(a.rows[row][column]) + 1e-12) << computed << " row " << row + 2 << " column " << column + 1;
+            EXPECT_NEAR(b.rows[row][column], a.rows[row][column], 1e-7 * std::abs(a.rows[row][column]) + 1e-12)
+                << computed << " row " << row + 2 << " column " << column + 1;
         }
     }
 }
@@ -64,7 +68,8 @@ TEST(ShippedCases, AgreeWithTheirExpectedOutputs) {
         ASSERT_EQ(std::system((program + "solve " + path.string() + " --bands --out " + folder).c_str()), 0) << path;
         ASSERT_EQ(std::system((program + "static " + path.string() + " --out " + folder).c_str()), 0) << path;
         const std::string name = path.stem().string();
-        for (const char* ending : {".bands.csv", ".static.csv"}) expect_same(path.parent_path() / "expected" / (name + ending), fs::path(folder) / (name + ending));
+        for (const char* ending : {".bands.csv", ".static.csv"})
+            expect_same(path.parent_path() / "expected" / (name + ending), fs::path(folder) / (name + ending));
     }
     fs::remove_all(folder);
 }

@@ -73,7 +73,8 @@ TEST(Inspect, OneScreenOfText) {
 // Its axles bend: two axle boxes seemed to be exchanged, by a delay that the resonance made.
 TEST(Inspect, TheShippedRecordingIsSound) {
     const std::string shipped = std::string(RAILPEM_SOURCE_DIR) + "/cases/";
-    const Outcome outcome = simulated().run({"inspect", shipped + "concealed", "--case", shipped + "wei2016/case1.toml"});
+    const Outcome outcome =
+        simulated().run({"inspect", shipped + "concealed", "--case", shipped + "wei2016/case1.toml"});
     ASSERT_EQ(outcome.status, 0) << outcome.message;
     EXPECT_NE(outcome.output.find("\n\nNo fault was found.\n"), std::string::npos) << outcome.output;
 }
@@ -145,7 +146,8 @@ TEST(Inspect, BadDescriptionsAreRefused) {
         {"wheel\"\nindex = 1", "bogie\"\nindex = 3",
          "r.toml:6:9: channel[1].index: 3 does not say which one\n  6 | index = 3\n    |         ^\nallowed: 1 to 2\n"},
         {"index = 1", "index = 1\nunit = \"furlong\"", "r.toml:7:8: channel[1].unit: "},
-        {"d.csv", "nowhere.csv", "nowhere.csv: there is no such file\nallowed: a data file beside the description\nnamed by: r.toml\n"},
+        {"d.csv", "nowhere.csv",
+         "nowhere.csv: there is no such file\nallowed: a data file beside the description\nnamed by: r.toml\n"},
         {"d.csv", "d.docx", "d.docx: there is no such file\n"},
         {"name = \"a\"", "name = \"A1\"", "d.csv:1: "},
         {"d.csv", "ragged.csv", "ragged.csv:3: "},
@@ -238,8 +240,7 @@ TEST(MeasuredData, DecayRates) {
     const Outcome outcome = folder.run({"inspect", "tdr.toml"});
     ASSERT_EQ(outcome.status, 0) << outcome.message;
     std::ostringstream expected;
-    expected << "decay rate       "
-             << bands << " bands, 100 to 5000 Hz";
+    expected << "decay rate       " << bands << " bands, 100 to 5000 Hz";
     EXPECT_NE(outcome.output.find(expected.str()), std::string::npos) << outcome.output;
 }
 

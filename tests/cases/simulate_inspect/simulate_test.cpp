@@ -163,7 +163,8 @@ std::string waves(double from_m, double amplitude_m) {
     std::string text = "position_m,height_m\n";
     for (int i = 0; i <= 16000; ++i) {
         const double x = from_m + 0.05 * i;
-        text += std::to_string(x) + "," + std::to_string(amplitude_m * std::sin(2.0 * std::numbers::pi * x / 5.0)) + "\n";
+        text +=
+            std::to_string(x) + "," + std::to_string(amplitude_m * std::sin(2.0 * std::numbers::pi * x / 5.0)) + "\n";
     }
     return text;
 }
@@ -182,8 +183,8 @@ double rms_of_column(const std::string& csv, int column) {
     return std::sqrt(sum / rows);
 }
 
-// A wheel follows waves of 4.4 Hz: a·ω²/√2. Far below the resonance of the wheels on the track, at some 40 Hz; what passing sleepers add at the axle box is 1 % of that,
-// the resonance another 1 %.
+// A wheel follows waves of 4.4 Hz: a·ω²/√2. Far below the resonance of the wheels on the track, at some 40 Hz; what
+// passing sleepers add at the axle box is 1 % of that, the resonance another 1 %.
 TEST(Simulate, WheelsFollowAMeasuredProfile) {
     const Folder folder;
     folder.write("profile.csv", waves(-250.0, 2e-3));
@@ -198,7 +199,9 @@ TEST(Simulate, ProfilesThatCannotBe) {
     folder.write("short.csv", waves(0.0, 1e-3));
     const Outcome disordered = folder.run(simulation("out", {"--seed", "1", "--profile", "order.csv"}));
     EXPECT_EQ(disordered.status, 2);
-    EXPECT_EQ(disordered.message, "--profile order.csv: value 3 of position_m is missing or out of order\nallowed: increasing positions, every height known\n");
+    EXPECT_EQ(disordered.message,
+              "--profile order.csv: value 3 of position_m is missing or out of order\nallowed: increasing positions, "
+              "every height known\n");
     const Outcome too_short = folder.run(simulation("out", {"--seed", "1", "--profile", "short.csv"}));
     EXPECT_EQ(too_short.status, 2);
     EXPECT_TRUE(too_short.message.starts_with("--profile: the measured profile does not cover -")) << too_short.message;

@@ -1,5 +1,5 @@
-// Sweeps through the program: the table against single solutions, the same bits for any number of threads and after any number of
-// kills, and refusals before anything runs.
+// Sweeps through the program: the table against single solutions, the same bits for any number of threads and after any
+// number of kills, and refusals before anything runs.
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -58,7 +58,9 @@ int run(const std::vector<std::string>& arguments, const fs::path& errors) {
 const std::string kCase = std::string(RAILPEM_SOURCE_DIR) + "/cases/wei2016/case2.toml";
 
 std::string sweep_text(const std::string& design, const std::string& vary) {
-    return "case = \"" + kCase + "\"\n" + design + vary + "[[keep]]\nresponse = \"wheel_1\"\nquantity = \"peak-level\"\n[[keep]]\nresponse = \"rail_1\"\nquantity = \"bands\"\n";
+    return "case = \"" + kCase + "\"\n" + design + vary +
+           "[[keep]]\nresponse = \"wheel_1\"\nquantity = \"peak-level\"\n[[keep]]\nresponse = \"rail_1\"\nquantity = "
+           "\"bands\"\n";
 }
 
 const std::string kTwoAxes =
@@ -68,9 +70,12 @@ const std::string kTwoAxes =
 struct Sweep {
     Folder folder;
     fs::path file, errors;
-    explicit Sweep(const std::string& text) : file(folder.path / "s.toml"), errors(folder.path / "errors") { std::ofstream(file) << text; }
+    explicit Sweep(const std::string& text) : file(folder.path / "s.toml"), errors(folder.path / "errors") {
+        std::ofstream(file) << text;
+    }
     std::vector<std::string> command(const std::string& out, std::vector<std::string> more = {}) const {
-        std::vector<std::string> arguments{"sweep", file.string(), "--out", (folder.path / out).string(), "--set", "frequency.step_hz=0.25"};
+        std::vector<std::string> arguments{"sweep", file.string(),           "--out", (folder.path / out).string(),
+                                           "--set", "frequency.step_hz=0.25"};
         arguments.insert(arguments.end(), more.begin(), more.end());
         return arguments;
     }
@@ -82,7 +87,8 @@ TEST(Sweep, SameTableForAnyNumberOfThreads) {
     ASSERT_EQ(run(sweep.command("two", {"--threads", "2"}), sweep.errors), 0);
     const std::string one = text_of(sweep.folder.path / "one/s.csv");
     EXPECT_EQ(one, text_of(sweep.folder.path / "two/s.csv"));
-    EXPECT_EQ(one.substr(0, one.find('\n')), "case,track.pads.exponent,track.pads.damping_n_s_per_m,quantity,response,frequency_hz,value");
+    EXPECT_EQ(one.substr(0, one.find('\n')),
+              "case,track.pads.exponent,track.pads.damping_n_s_per_m,quantity,response,frequency_hz,value");
     EXPECT_FALSE(fs::exists(sweep.folder.path / "one/s.unfinished"));
 }
 
@@ -90,18 +96,22 @@ TEST(Sweep, SameTableForAnyNumberOfThreads) {
 TEST(Sweep, AgreesWithSolve) {
     const Sweep sweep(sweep_text("", kTwoAxes));
     ASSERT_EQ(run(sweep.command("out"), sweep.errors), 0);
-    ASSERT_EQ(run({"solve", kCase, "--out", (sweep.folder.path / "single").string(), "--set", "frequency.step_hz=0.25", "--set",
-                   "track.pads.exponent=0.3", "--set", "track.pads.damping_n_s_per_m=1e5"}, sweep.errors), 0);
+    ASSERT_EQ(run({"solve", kCase, "--out", (sweep.folder.path / "single").string(), "--set", "frequency.step_hz=0.25",
+                   "--set", "track.pads.exponent=0.3", "--set", "track.pads.damping_n_s_per_m=1e5"},
+                  sweep.errors),
+              0);
     std::istringstream table(text_of(sweep.folder.path / "out/s.csv"));
     double kept = 0.0;
     for (std::string line; std::getline(table, line);)
-        if (line.starts_with("180,") && line.find("peak_level") != std::string::npos) kept = std::stod(line.substr(line.rfind(',') + 1));
+        if (line.starts_with("180,") && line.find("peak_level") != std::string::npos)
+            kept = std::stod(line.substr(line.rfind(',') + 1));
     std::istringstream spectrum(text_of(sweep.folder.path / "single/case2.psd.csv"));
     std::string header;
     std::getline(spectrum, header);
     int column = 0;
     std::istringstream names(header);
-    for (std::string name; std::getline(names, name, ',') && name != "wheel_1_acceleration_psd_m2_per_s4_per_hz";) ++column;
+    for (std::string name; std::getline(names, name, ',') && name != "wheel_1_acceleration_psd_m2_per_s4_per_hz";)
+        ++column;
     double peak = 0.0;
     for (std::string line; std::getline(spectrum, line);) {
         std::istringstream cells(line);
@@ -114,7 +124,8 @@ TEST(Sweep, AgreesWithSolve) {
 
 /// Killed with SIGKILL at random moments and started again until it is done: the same table, bit for bit.
 TEST(Sweep, SurvivesKills) {
-    const Sweep sweep(sweep_text("design = \"latin-hypercube\"\nsamples = 1500\n", "[[vary]]\nkey = \"track.pads.exponent\"\nfrom = 0.0\nto = 0.3\n"));
+    const Sweep sweep(sweep_text("design = \"latin-hypercube\"\nsamples = 1500\n",
+                                 "[[vary]]\nkey = \"track.pads.exponent\"\nfrom = 0.0\nto = 0.3\n"));
     ASSERT_EQ(run(sweep.command("whole"), sweep.errors), 0);
     std::mt19937 random(7);
     int kills = 0;
@@ -133,14 +144,17 @@ TEST(Sweep, SurvivesKills) {
 
 /// Every stratum of a Latin hypercube holds exactly one sample.
 TEST(Sweep, LatinHypercubeFillsEveryStratum) {
-    const Sweep sweep("case = \"" + kCase + "\"\ndesign = \"latin-hypercube\"\nsamples = 100\n[[vary]]\nkey = \"track.pads.exponent\"\nfrom = 0.0\nto = 0.5\n"
+    const Sweep sweep("case = \"" + kCase +
+                      "\"\ndesign = \"latin-hypercube\"\nsamples = 100\n[[vary]]\nkey = \"track.pads.exponent\"\nfrom "
+                      "= 0.0\nto = 0.5\n"
                       "[[keep]]\nresponse = \"body\"\nquantity = \"rms\"\n");
     ASSERT_EQ(run(sweep.command("out"), sweep.errors), 0);
     std::istringstream table(text_of(sweep.folder.path / "out/s.csv"));
     std::vector<int> hits(100, 0);
     std::string line;
     std::getline(table, line);
-    while (std::getline(table, line)) ++hits[static_cast<std::size_t>(std::stod(line.substr(line.find(',') + 1)) / 0.005)];
+    while (std::getline(table, line))
+        ++hits[static_cast<std::size_t>(std::stod(line.substr(line.find(',') + 1)) / 0.005)];
     for (const int hit : hits) EXPECT_EQ(hit, 1);
 }
 
@@ -176,13 +190,19 @@ struct Refusal {
 TEST(Sweep, BadSweepsAreRefused) {
     const std::vector<Refusal> refusals{
         {"unknown key", "", "[[vary]]\nkey = \"track.pads.exponnent\"\nvalues = [0.1]\n",
-         "3:7: the case has no number 'track.pads.exponnent'\n  3 | key = \"track.pads.exponnent\"\n    |       ^^^^^^^^^^^^^^^^^^^^^^\n"
+         "3:7: the case has no number 'track.pads.exponnent'\n  3 | key = \"track.pads.exponnent\"\n    |       "
+         "^^^^^^^^^^^^^^^^^^^^^^\n"
          "allowed: a dotted key of a number; railpem describe case lists them\ndid you mean 'track.pads.exponent'?\n"},
         {"empty range", "", "[[vary]]\nkey = \"track.pads.exponent\"\n",
-         "3:7: no values for 'track.pads.exponent'\n  3 | key = \"track.pads.exponent\"\n    |       ^^^^^^^^^^^^^^^^^^^^^\nallowed: values, or from, to and count\n"},
-        {"impossible combination", "", "[[vary]]\nkey = \"vehicle.wheelbase_m\"\nvalues = [2.0, 3.0]\n[[vary]]\nkey = \"vehicle.bogie_distance_m\"\nvalues = [18.0, 2.5]\n",
-         "3:7: case 4 (vehicle.wheelbase_m = 3, vehicle.bogie_distance_m = 2.5) cannot be: vehicle.wheelbase_m: the wheelbase is not shorter than the bogie "
-         "distance, so wheels of different bogies would pass each other\n  3 | key = \"vehicle.wheelbase_m\"\n    |       ^^^^^^^^^^^^^^^^^^^^^\nallowed: less than vehicle.bogie_distance_m\n"},
+         "3:7: no values for 'track.pads.exponent'\n  3 | key = \"track.pads.exponent\"\n    |       "
+         "^^^^^^^^^^^^^^^^^^^^^\nallowed: values, or from, to and count\n"},
+        {"impossible combination", "",
+         "[[vary]]\nkey = \"vehicle.wheelbase_m\"\nvalues = [2.0, 3.0]\n[[vary]]\nkey = "
+         "\"vehicle.bogie_distance_m\"\nvalues = [18.0, 2.5]\n",
+         "3:7: case 4 (vehicle.wheelbase_m = 3, vehicle.bogie_distance_m = 2.5) cannot be: vehicle.wheelbase_m: the "
+         "wheelbase is not shorter than the bogie "
+         "distance, so wheels of different bogies would pass each other\n  3 | key = \"vehicle.wheelbase_m\"\n    |    "
+         "   ^^^^^^^^^^^^^^^^^^^^^\nallowed: less than vehicle.bogie_distance_m\n"},
     };
     for (const Refusal& refusal : refusals) {
         const Sweep sweep(sweep_text(refusal.design, refusal.vary));

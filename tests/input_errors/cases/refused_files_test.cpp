@@ -188,7 +188,8 @@ TEST(RefusedArguments, CapitalLettersOfAVerb) {
 // A file is put in place by renaming it, which would make a file of the device.
 TEST(RefusedArguments, ADeviceIsNotWrittenOver) {
     const ProgramFolder folder;
-    const Outcome truth = folder.run({"simulate", "case.toml", "--seconds", "1", "--seed", "1", "--out", "run", "--truth", "/dev/null"});
+    const Outcome truth =
+        folder.run({"simulate", "case.toml", "--seconds", "1", "--seed", "1", "--out", "run", "--truth", "/dev/null"});
     EXPECT_EQ(truth.status, 2);
     EXPECT_EQ(truth.message, "--truth /dev/null: is a device or a pipe\nallowed: a file\n");
     EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
@@ -196,11 +197,14 @@ TEST(RefusedArguments, ADeviceIsNotWrittenOver) {
 
 TEST(RefusedFiles, AColumnThatIsNotThereNamesItsDescription) {
     const ProgramFolder folder;
-    folder.write("recording.toml", "sampling_rate_hz = 100.0\ndata = \"recording.csv\"\n[[channel]]\nname = \"axlebox\"\n");
+    folder.write("recording.toml",
+                 "sampling_rate_hz = 100.0\ndata = \"recording.csv\"\n[[channel]]\nname = \"axlebox\"\n");
     folder.write("recording.csv", "axelbox\n1\n2\n");
     const Outcome outcome = folder.run({"validate", "recording.toml"});
     EXPECT_EQ(outcome.status, 2);
-    EXPECT_EQ(outcome.message, "recording.csv:1: there is no column 'axlebox' (did you mean 'axelbox'?)\nallowed: axelbox\nnamed by: recording.toml\n");
+    EXPECT_EQ(outcome.message,
+              "recording.csv:1: there is no column 'axlebox' (did you mean 'axelbox'?)\nallowed: axelbox\nnamed by: "
+              "recording.toml\n");
 }
 
 TEST(RefusedArguments, UnknownPage) {
@@ -239,7 +243,8 @@ TEST(RefusedFiles, MeasuredIrregularityOfARecording) {
         const Outcome falling = folder.run({verb, "recording.toml"});
         EXPECT_EQ(falling.status, 2);
         EXPECT_EQ(falling.message,
-                  "track.csv:3: cycles_per_m does not increase\nallowed: strictly increasing values\nnamed by: recording.toml\n");
+                  "track.csv:3: cycles_per_m does not increase\nallowed: strictly increasing values\nnamed by: "
+                  "recording.toml\n");
         folder.write("track.csv", "cycles_per_m,psd_m3\n0.02,4e-5\n2,4e-8\n");
         EXPECT_EQ(folder.run({verb, "recording.toml"}).status, 0);
         std::filesystem::remove(folder.path("track.csv"));

@@ -18,37 +18,46 @@ Outcome diagnosed(const ProgramFolder& folder, const std::string& recording, con
     return outcome;
 }
 
-bool says(const Outcome& outcome, const std::string& what) { return outcome.message.find(what) != std::string::npos; }
+bool says(const Outcome& outcome, const std::string& what) {
+    return outcome.message.find(what) != std::string::npos;
+}
 
 constexpr const char* kWheel = "[[channel]]\nname = \"w\"\nlocation = \"wheel\"\nindex = 1\n";
 constexpr const char* kSpectrum = "frequency_hz,w\n10,1.0\n20,2.0\n30,1.5\n";
 
 TEST(RefusedRecordings, ChannelsThatTheCaseDoesNotHave) {
     const ProgramFolder folder;
-    const Outcome outcome = diagnosed(
-        folder, "kind = \"psd\"\ndata = \"data.csv\"\nspeed_m_per_s = 20.0\n[[channel]]\nname = \"w\"\nlocation = \"body\"\nposition_m = 4.0\n", kSpectrum);
+    const Outcome outcome = diagnosed(folder,
+                                      "kind = \"psd\"\ndata = \"data.csv\"\nspeed_m_per_s = 20.0\n[[channel]]\nname = "
+                                      "\"w\"\nlocation = \"body\"\nposition_m = 4.0\n",
+                                      kSpectrum);
     EXPECT_TRUE(says(outcome, "none of the channels is a response that the case has")) << outcome.message;
-    EXPECT_TRUE(says(outcome, "allowed: channels on body centre, body over the pivots, bogies, wheels or rail")) << outcome.message;
+    EXPECT_TRUE(says(outcome, "allowed: channels on body centre, body over the pivots, bogies, wheels or rail"))
+        << outcome.message;
 }
 
 TEST(RefusedRecordings, SpectraWithoutASpeed) {
     for (const char* kind : {"psd", "points"}) {
         const ProgramFolder folder;
-        const std::string data = std::string(kind) == "psd" ? kSpectrum : "channel,frequency_hz,value\nw,10,1.0\nw,20,2.0\n";
-        const Outcome outcome = diagnosed(folder, std::string("kind = \"") + kind + "\"\ndata = \"data.csv\"\n" + kWheel, data);
+        const std::string data =
+            std::string(kind) == "psd" ? kSpectrum : "channel,frequency_hz,value\nw,10,1.0\nw,20,2.0\n";
+        const Outcome outcome =
+            diagnosed(folder, std::string("kind = \"") + kind + "\"\ndata = \"data.csv\"\n" + kWheel, data);
         EXPECT_TRUE(says(outcome, "channels of a running train without its speed")) << outcome.message;
     }
 }
 
 TEST(RefusedRecordings, SpeedOutsideTheBandOfTheIrregularity) {
     const ProgramFolder folder;  // waves of 1 m and more at 1 m/s excite up to 1 Hz
-    const Outcome outcome = diagnosed(folder, std::string("kind = \"psd\"\ndata = \"data.csv\"\nspeed_m_per_s = 1.0\n") + kWheel, kSpectrum);
+    const Outcome outcome = diagnosed(
+        folder, std::string("kind = \"psd\"\ndata = \"data.csv\"\nspeed_m_per_s = 1.0\n") + kWheel, kSpectrum);
     EXPECT_TRUE(says(outcome, "at 1 m/s no value lies in the usable band")) << outcome.message;
 }
 
 TEST(RefusedRecordings, NothingButZeros) {
     const ProgramFolder folder;
-    const Outcome outcome = diagnosed(folder, "kind = \"decay-rate\"\ndata = \"data.csv\"\n", "centre_hz,decay_rate_db_per_m\n100,0\n125,0\n");
+    const Outcome outcome = diagnosed(folder, "kind = \"decay-rate\"\ndata = \"data.csv\"\n",
+                                      "centre_hz,decay_rate_db_per_m\n100,0\n125,0\n");
     EXPECT_TRUE(says(outcome, "no value is greater than zero")) << outcome.message;
 }
 
@@ -71,7 +80,8 @@ TEST(RefusedRecordings, SameEvidenceTwice) {
 TEST(RefusedRecordings, EffectThatTheCatalogueDoesNotHave) {
     const ProgramFolder folder;
     folder.write("case.toml", minimal_case());
-    const Outcome outcome = folder.run({"diagnose", "case.toml", "psd.toml", "--without", "body-bendin", "--out", "results"});
+    const Outcome outcome =
+        folder.run({"diagnose", "case.toml", "psd.toml", "--without", "body-bendin", "--out", "results"});
     EXPECT_EQ(outcome.status, 2);
     EXPECT_TRUE(says(outcome, "unknown effect 'body-bendin'")) << outcome.message;
     EXPECT_TRUE(says(outcome, "did you mean 'body-bending'?")) << outcome.message;

@@ -1,4 +1,4 @@
-#include "app/case_schema.hpp"
+#include "app/schema/case_schema.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <set>
 
 #include "app/input_error.hpp"
-#include "app/read_table.hpp"
+#include "app/schema/read_table.hpp"
 #include "file_text.hpp"
 
 namespace railpem::app {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "app/level_differences.hpp"
+#include "app/tables/level_differences.hpp"
 #include "program_in_process.hpp"
 
 namespace railpem::app {

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "diagnosis/diagnosis.hpp"
+#include "diagnosis/findings/diagnosis.hpp"
 
 namespace railpem::app::testing {
 

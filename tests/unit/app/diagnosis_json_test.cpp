@@ -1,4 +1,4 @@
-#include "app/diagnosis_json.hpp"
+#include "app/tables/diagnosis_json.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "app/diagnosis_report.hpp"
+#include "app/report/diagnosis_report.hpp"
 
 #include <gtest/gtest.h>
 
@@ -57,8 +57,10 @@ TEST(DiagnosisReport, SaysWhereRetunedKeepsItsBeliefs) {
     EXPECT_EQ(content(diagnosis).find("within two tolerances, as everywhere"), std::string::npos);
     diagnosis.freely_retuned = diagnosis::FreelyRetuned{.fitted = {0.4231, -318.5}, .held_out = {0.9312, 11.54}};
     const std::string page = content(diagnosis);
-    for (const char* words : {"removes <b>97 %</b> of the likelihood deficit and brings the misfit from 3.4 dB to 0.42 dB", "where it keeps it within two tolerances, as everywhere else on this page, it gets to 0.14 dB", "it reaches 0.42 dB and log-likelihood -318",
-                              "it reaches 0.93 dB and log-likelihood 11.5"})
+    for (const char* words :
+         {"removes <b>97 %</b> of the likelihood deficit and brings the misfit from 3.4 dB to 0.42 dB",
+          "where it keeps it within two tolerances, as everywhere else on this page, it gets to 0.14 dB",
+          "it reaches 0.42 dB and log-likelihood -318", "it reaches 0.93 dB and log-likelihood 11.5"})
         EXPECT_NE(page.find(words), std::string::npos) << words;
 }
 

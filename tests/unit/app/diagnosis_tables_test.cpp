@@ -1,4 +1,4 @@
-#include "app/diagnosis_tables.hpp"
+#include "app/tables/diagnosis_tables.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "app/document.hpp"
+#include "app/schema/document.hpp"
 
 #include <gtest/gtest.h>
 

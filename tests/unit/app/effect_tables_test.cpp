@@ -1,4 +1,4 @@
-#include "app/effect_tables.hpp"
+#include "app/schema/effect_tables.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "app/case_schema.hpp"
+#include "app/schema/case_schema.hpp"
 
 namespace railpem::app {
 namespace {

@@ -1,6 +1,6 @@
 // Measured irregularities named by a case: read, converted, refused with their line.
 
-#include "app/irregularity_files.hpp"
+#include "app/schema/irregularity_files.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <numbers>
 #include <sstream>
 
-#include "app/case_schema.hpp"
+#include "app/schema/case_schema.hpp"
 #include "program_in_process.hpp"
 #include "spectra/irregularity_spectrum.hpp"
 #include "spectra/profile_spectrum.hpp"

@@ -1,4 +1,4 @@
-#include "app/nearest_key.hpp"
+#include "app/schema/nearest_key.hpp"
 
 #include <gtest/gtest.h>
 

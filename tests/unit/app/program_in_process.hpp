@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "app/command_line.hpp"
+#include "app/verbs/command_line.hpp"
 
 namespace railpem::app {
 

@@ -1,13 +1,13 @@
 // `railpem receptance`: the tables of the contract, and that they hold what the track gives.
 
-#include "app/track_tables.hpp"
+#include "app/tables/track_tables.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "app/case_schema.hpp"
+#include "app/schema/case_schema.hpp"
 #include "program_in_process.hpp"
 
 namespace railpem::app {

@@ -1,4 +1,4 @@
-#include "app/recording_schema.hpp"
+#include "app/schema/recording_schema.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "app/response_tables.hpp"
+#include "app/tables/response_tables.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/progress_bar.hpp"
-#include "app/response_summary.hpp"
+#include "app/tables/response_summary.hpp"
 #include "spectra/comfort.hpp"
 
 namespace railpem::app {
@@ -98,7 +98,11 @@ TEST(Summary, ComfortWhereTheLinesCoverIt) {
 /// A power law of exponent 2, S(n) = c/n²: between n1 and n2 the mean square is c(1/n1 − 1/n2).
 TEST(Summary, RmsOfTheIrregularityThatWasMet) {
     pem::CaseParameters parameters;
-    parameters.irregularity.bands = {{.family = spectra::Family::power_law, .shortest_wavelength_m = 0.01, .longest_wavelength_m = 1e4, .coefficient_m3 = 1e-7, .exponent = 2.0}};
+    parameters.irregularity.bands = {{.family = spectra::Family::power_law,
+                                      .shortest_wavelength_m = 0.01,
+                                      .longest_wavelength_m = 1e4,
+                                      .coefficient_m3 = 1e-7,
+                                      .exponent = 2.0}};
     parameters.vehicle.payload_kg = 1234.0;
     ResponseSpectra spectra{.speed_m_per_s = 20.0};
     for (int i = 0; i <= 9000; ++i) spectra.frequency_hz.push_back(1.0 + 0.01 * i);
@@ -107,7 +111,8 @@ TEST(Summary, RmsOfTheIrregularityThatWasMet) {
     EXPECT_EQ(summary["payload_kg"], 1234.0);
     const nlohmann::json& met = summary["speeds"][0]["irregularity"];
     const double n1 = 1.0 / 20.0, n2 = 91.0 / 20.0;
-    EXPECT_NEAR(met["rms_m"].get<double>() / std::sqrt(1e-7 * (1.0 / n1 - 1.0 / n2)), 1.0, 1e-4);  // trapezoids: (step/f)²/6 at 1 Hz
+    // trapezoids: (step/f)²/6 at 1 Hz
+    EXPECT_NEAR(met["rms_m"].get<double>() / std::sqrt(1e-7 * (1.0 / n1 - 1.0 / n2)), 1.0, 1e-4);
     EXPECT_DOUBLE_EQ(met["longest_wavelength_m"].get<double>(), 20.0);
     EXPECT_DOUBLE_EQ(met["shortest_wavelength_m"].get<double>(), 20.0 / 91.0);
 }

@@ -1,12 +1,12 @@
 // The rival of a belief that is given up: recordings drawn from a case with one number four and a half tolerances off.
 
-#include "diagnosis/belief_kept.hpp"
+#include "diagnosis/judge/belief_kept.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "diagnosis/verdict.hpp"
+#include "diagnosis/judge/verdict.hpp"
 #include "tests/unit/diagnosis/synthesised_fixture.hpp"
 
 namespace railpem::diagnosis {
@@ -17,13 +17,16 @@ constexpr double kFactor = 1.57;  // 4.5 tolerances
 
 FittedSet giving_up(const std::vector<std::string>& effects, const std::vector<std::string>& released) {
     FittedSet set{.released = released};
-    for (const std::string& effect : effects) set.effects.push_back({.instance = {.effect = effect, .values = {}, .choices = {}}});
+    for (const std::string& effect : effects)
+        set.effects.push_back({.instance = {.effect = effect, .values = {}, .choices = {}}});
     return set;
 }
 
 class BeliefKept : public ::testing::Test {
   protected:
-    BeliefKept() : made_(synthesised(paper_believed({kWrong, kOther, "vehicle.bogie_mass_kg"}), {22.2}, 60.0, nine_channels(), kSmall)) {
+    BeliefKept()
+        : made_(synthesised(paper_believed({kWrong, kOther, "vehicle.bogie_mass_kg"}), {22.2}, 60.0, nine_channels(),
+                            kSmall)) {
         number_at(made_.truth.numbers, kWrong) *= kFactor;
         made_.draw(7);
         retuned_ = fit_set(made_.believed, {}, {}, {}, {}, made_.context(), {});
@@ -45,16 +48,19 @@ TEST_F(BeliefKept, NoBeliefIsLeftFurtherThanTheSetLeavesIt) {
     EXPECT_NEAR(log_factor(kept_.fit, kWrong), 2.0 * tolerance_of(kWrong), 1e-12) << "as far as it may";
     for (std::size_t u = 0; u < kept_.fit.unknowns.size(); ++u) {
         const Unknown &unknown = kept_.fit.unknowns[u], &own = *retuned_.fit.find(unknown.name);
-        if (unknown.kind == UnknownKind::noise || unknown.kind == UnknownKind::floor || unknown.kind == UnknownKind::width || unknown.kind == UnknownKind::speed) {
+        if (unknown.kind == UnknownKind::noise || unknown.kind == UnknownKind::floor ||
+            unknown.kind == UnknownKind::width || unknown.kind == UnknownKind::speed) {
             EXPECT_EQ(unknown.low, own.low) << unknown.name;
             continue;
         }
-        EXPECT_LE(std::abs(kept_.fit.values[u] - unknown.mean), 2.0 * unknown.deviation * (1.0 + 1e-12)) << unknown.name;
+        EXPECT_LE(std::abs(kept_.fit.values[u] - unknown.mean), 2.0 * unknown.deviation * (1.0 + 1e-12))
+            << unknown.name;
     }
 }
 
 TEST_F(BeliefKept, BeliefsAreThoseOfWhatRetuningMoves) {
-    const FittedSet smoother = giving_up({"irregularity-spectrum"}, {}), passing = giving_up({"sleeper-passing"}, {}), shear = giving_up({"rail-shear"}, {kOther});
+    const FittedSet smoother = giving_up({"irregularity-spectrum"}, {}), passing = giving_up({"sleeper-passing"}, {}),
+                    shear = giving_up({"rail-shear"}, {kOther});
     for (const Unknown& unknown : retuned_.fit.unknowns) {
         EXPECT_EQ(gives_up(smoother, unknown), unknown.kind == UnknownKind::irregularity) << unknown.name;
         EXPECT_EQ(gives_up(passing, unknown), unknown.kind == UnknownKind::passing) << unknown.name;
@@ -79,13 +85,15 @@ TEST_F(BeliefKept, OwesNothingToWhatElseIsFarOff) {
     std::size_t u = 0;
     far.fit.find(kOther, &u);
     far.fit.values[u] = -3.0 * tolerance_of(kOther);
-    const FittedSet kept_beside = *fit_belief_kept(made_.believed, retuned_.fit, far, made_.context(), {.iterations = 0, .from_far = false});
+    const FittedSet kept_beside =
+        *fit_belief_kept(made_.believed, retuned_.fit, far, made_.context(), {.iterations = 0, .from_far = false});
     EXPECT_NEAR(kept_beside.fit.find(kOther)->low, -3.0 * tolerance_of(kOther), 1e-12);
     EXPECT_NEAR(kept_beside.fit.find(kOther)->high, 3.0 * tolerance_of(kOther), 1e-12);
 }
 
-// Retuning that only weighs its beliefs has found the number, and what no fit has seen is as probable after it: of 1 nat, either way, nobody can tell. The case that keeps the belief tells, and another number, as free, does not make
-// up for it.
+// Retuning that only weighs its beliefs has found the number, and what no fit has seen is as probable after it: of 1
+// nat, either way, nobody can tell. The case that keeps the belief tells, and another number, as free, does not make up
+// for it.
 TEST_F(BeliefKept, TellsWhetherTheBeliefWasWrong) {
     EXPECT_NEAR(std::exp(log_factor(retuned_.fit, kWrong)), kFactor, 0.03);
     EXPECT_NEAR(named_.held_out, retuned_.held_out, 1.0);
@@ -96,7 +104,8 @@ TEST_F(BeliefKept, TellsWhetherTheBeliefWasWrong) {
     for (Unknown& unknown : other.unknowns)
         if (unknown.name != kOther) unknown = *kept_.fit.find(unknown.name);
     const Fit wrong = fit(other.trial, other.unknowns, other.start, made_.context());
-    const double gain = named_.held_out - kept_.held_out, wrong_gain = part_log_likelihood(wrong, made_.context(), Part::held_out) - kept_.held_out;
+    const double gain = named_.held_out - kept_.held_out,
+                 wrong_gain = part_log_likelihood(wrong, made_.context(), Part::held_out) - kept_.held_out;
     std::printf("unseen: %.1f nats by the number that is wrong, %.1f by another\n", gain, wrong_gain);
     EXPECT_GT(gain, 20.0);  // where 1 is chance
     EXPECT_LT(wrong_gain, 0.1 * gain);
@@ -107,7 +116,8 @@ TEST_F(BeliefKept, IsRetuningWhereNothingIsFarOff) {
     FittedSet mass = retuned_;  // the stiffness as far off as it is
     mass.released = {"vehicle.bogie_mass_kg"};
     const FittedSet same = *fit_belief_kept(made_.believed, retuned_.fit, mass, made_.context(), {});
-    EXPECT_NEAR(same.fit.log_likelihood, retuned_.fit.log_likelihood, 0.2);  // a fit ends where a step promises 0.1 (FitOptions::least_gain): two ends
+    // a fit ends where a step promises 0.1 (FitOptions::least_gain): two ends
+    EXPECT_NEAR(same.fit.log_likelihood, retuned_.fit.log_likelihood, 0.2);
     EXPECT_FALSE(outdoes_kept(retuned_, same));
 }
 

@@ -1,4 +1,4 @@
-#include "diagnosis/bounded_step.hpp"
+#include "diagnosis/fit/bounded_step.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,8 @@ TEST(BoundedStep, IsNewtonsWhereNothingIsInItsWay) {
     EXPECT_LT((bounded_step(curvature, gradient, -far, far) - curvature.ldlt().solve(gradient)).norm(), 1e-14);
 }
 
-// Two unknowns of which only the sum is known well: cut off each by itself, the sum would be wrong by all that was cut off.
+// Two unknowns of which only the sum is known well: cut off each by itself, the sum would be wrong by all that was cut
+// off.
 TEST(BoundedStep, SeeksTheOthersBesideWhatIsStopped) {
     const Eigen::Matrix2d curvature{{100.01, 100.0}, {100.0, 100.01}};
     const Eigen::Vector2d newton(5.0, -4.0), gradient = curvature * newton, low(-10.0, -10.0), high(1.0, 10.0);
@@ -24,7 +25,8 @@ TEST(BoundedStep, SeeksTheOthersBesideWhatIsStopped) {
     EXPECT_NEAR(step(1), (gradient(1) - 100.0) / 100.01, 1e-12);
 }
 
-// The conditions that only the maximum fulfils (Karush, Kuhn, Tucker): no pull where an unknown is free, a pull outwards where it is held.
+// The conditions that only the maximum fulfils (Karush, Kuhn, Tucker): no pull where an unknown is free, a pull
+// outwards where it is held.
 TEST(BoundedStep, PullsOutwardsOnlyAtItsBounds) {
     std::mt19937_64 random(7);
     std::normal_distribution<double> normal;
@@ -33,7 +35,8 @@ TEST(BoundedStep, PullsOutwardsOnlyAtItsBounds) {
         const Eigen::MatrixXd root = Eigen::MatrixXd::NullaryExpr(size, size, [&] { return normal(random); });
         const Eigen::MatrixXd curvature = root * root.transpose() + 1e-3 * Eigen::MatrixXd::Identity(size, size);
         const Eigen::VectorXd gradient = Eigen::VectorXd::NullaryExpr(size, [&] { return 3.0 * normal(random); });
-        Eigen::VectorXd low = Eigen::VectorXd::NullaryExpr(size, [&] { return std::min(0.0, normal(random)); }), high = Eigen::VectorXd::NullaryExpr(size, [&] { return std::max(0.0, normal(random)); });
+        Eigen::VectorXd low = Eigen::VectorXd::NullaryExpr(size, [&] { return std::min(0.0, normal(random)); }),
+                        high = Eigen::VectorXd::NullaryExpr(size, [&] { return std::max(0.0, normal(random)); });
         if (size > 3) low(1) = high(1) = 0.0;
         const Eigen::VectorXd step = bounded_step(curvature, gradient, low, high), pull = gradient - curvature * step;
         for (long u = 0; u < size; ++u) {

@@ -1,14 +1,14 @@
 // Channels whose unit cannot be trusted, two rails in one recording, a speed that only a channel states.
 
-#include "diagnosis/channel_scales.hpp"
+#include "diagnosis/observations/channel_scales.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "diagnosis/derivatives.hpp"
-#include "diagnosis/fit.hpp"
-#include "diagnosis/rail_sides.hpp"
+#include "diagnosis/fit/derivatives.hpp"
+#include "diagnosis/fit/fit.hpp"
+#include "diagnosis/observations/rail_sides.hpp"
 #include "recordings/stated_speed.hpp"
 #include "tests/unit/diagnosis/synthesised_fixture.hpp"
 
@@ -19,7 +19,8 @@ constexpr double kLogPower = 3.0;  ///< of the wheel's scale: 13 dB
 
 /// Bogie and wheel, of which the wheel reads too high by a factor that nobody states.
 Synthesised with_a_scale() {
-    Synthesised made = synthesised(paper_believed({"vehicle.bogie_mass_kg"}), {20.0}, 60.0, {"bogie_1", "wheel_1"}, kSmall);
+    Synthesised made =
+        synthesised(paper_believed({"vehicle.bogie_mass_kg"}), {20.0}, 60.0, {"bogie_1", "wheel_1"}, kSmall);
     made.shapes[0].unknown_scale[1] = true;
     made.truth.log_gain[0] = {0.0, kLogPower};
     made.draw(5);
@@ -35,7 +36,8 @@ TEST(ChannelScales, AreFoundBesideTheNumbers) {
     for (std::size_t u = 0; u < unknowns.size(); ++u) {
         if (unknowns[u].kind != UnknownKind::gain) continue;
         seen = true;
-        EXPECT_NEAR(found.values[u], kLogPower, 4.0 * found.deviation(u)) << unknowns[u].name;  // four deviations: once in 16 000 draws
+        // four deviations: once in 16 000 draws
+        EXPECT_NEAR(found.values[u], kLogPower, 4.0 * found.deviation(u)) << unknowns[u].name;
         EXPECT_LT(found.deviation(u), 0.1) << unknowns[u].name;  // the bogie beside it, whose scale is known, fixes it
     }
     EXPECT_TRUE(seen);
@@ -47,7 +49,8 @@ TEST(ChannelScales, GuessIsTheMeanDifferenceOfTheLevels) {
     guess_scales(observation, made.believed.numbers);
     ASSERT_EQ(observation.log_scale.size(), 2u);
     EXPECT_EQ(observation.log_scale[0], 0.0);
-    EXPECT_NEAR(observation.log_scale[1], kLogPower, 0.3);  // the mean of log Ŝ lies below log S, 0.02 at 30 averages; the irregularity's chance
+    // the mean of log Ŝ lies below log S, 0.02 at 30 averages; the irregularity's chance
+    EXPECT_NEAR(observation.log_scale[1], kLogPower, 0.3);
 }
 
 // The irregularity's derivatives are taken from one solution: they must know of the scale, too.
@@ -68,16 +71,19 @@ TEST(ChannelScales, DerivativesOfTheIrregularityKnowThem) {
     const double factors[] = {1.0, cross, cross, wheel};
     for (std::size_t d = 0; d < with.size(); ++d)
         for (std::size_t i = 0; i < with[d].values.size(); ++i)
-            EXPECT_NEAR(std::abs(with[d].values[i] - factors[i % 4] * without[d].values[i]), 0.0, 1e-9 * std::abs(with[d].values[i]) + 1e-30);
+            EXPECT_NEAR(std::abs(with[d].values[i] - factors[i % 4] * without[d].values[i]), 0.0,
+                        1e-9 * std::abs(with[d].values[i]) + 1e-30);
 }
 
 recordings::Channel axle_box(const std::string& name, recordings::Side side) {
-    return {.description = {.name = name, .location = recordings::Location::wheel, .index = 1, .side = side}, .samples = {1.0, 2.0}};
+    return {.description = {.name = name, .location = recordings::Location::wheel, .index = 1, .side = side},
+            .samples = {1.0, 2.0}};
 }
 
 TEST(RailSides, EachBecomesARecordingOfItsOwn) {
     recordings::Recording recording;
-    recording.series.channels = {axle_box("left", recordings::Side::left), axle_box("right", recordings::Side::right), axle_box("frame", recordings::Side::unstated)};
+    recording.series.channels = {axle_box("left", recordings::Side::left), axle_box("right", recordings::Side::right),
+                                 axle_box("frame", recordings::Side::unstated)};
     recording.series.channels[2].description.location = recordings::Location::bogie;
     const std::vector<SideRecording> sides = one_rail_each(recording);
     ASSERT_EQ(sides.size(), 2u);
@@ -90,7 +96,8 @@ TEST(RailSides, EachBecomesARecordingOfItsOwn) {
 
 TEST(RailSides, ChannelsOfOneSideStayTogether) {
     recordings::Recording recording;
-    recording.series.channels = {axle_box("first", recordings::Side::left), axle_box("second", recordings::Side::right)};
+    recording.series.channels = {axle_box("first", recordings::Side::left),
+                                 axle_box("second", recordings::Side::right)};
     recording.series.channels[1].description.index = 2;
     const std::vector<SideRecording> sides = one_rail_each(recording);
     ASSERT_EQ(sides.size(), 1u);

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <random>
 
-#include "diagnosis/from_afar.hpp"
-#include "diagnosis/observation.hpp"
+#include "diagnosis/observations/observation.hpp"
+#include "diagnosis/search/from_afar.hpp"
 #include "scalar_recordings.hpp"
 
 namespace railpem::diagnosis {
@@ -19,7 +19,8 @@ recordings::Recording noise_recording(double seconds) {
     recording.series.sampling_rate_hz = 1000.0;
     std::mt19937_64 random(5);
     std::normal_distribution<double> normal;
-    for (const auto& [name, location] : {std::pair{"axlebox_1", recordings::Location::wheel}, std::pair{"bogie_1", recordings::Location::bogie}}) {
+    for (const auto& [name, location] :
+         {std::pair{"axlebox_1", recordings::Location::wheel}, std::pair{"bogie_1", recordings::Location::bogie}}) {
         recordings::Channel channel{.description = {.name = name, .location = location, .index = 1}};
         for (int i = 0; i < static_cast<int>(1000.0 * seconds); ++i) channel.samples.push_back(normal(random));
         recording.series.channels.push_back(std::move(channel));
@@ -27,7 +28,9 @@ recordings::Recording noise_recording(double seconds) {
     return recording;
 }
 
-Observation observed_noise(const BelievedCase& believed, const ObservationOptions& options = {}) { return observe(noise_recording(60.0), "noise", believed.numbers, options); }
+Observation observed_noise(const BelievedCase& believed, const ObservationOptions& options = {}) {
+    return observe(noise_recording(60.0), "noise", believed.numbers, options);
+}
 
 TEST(CoarseObservation, HasTheBandInFewerBins) {
     const BelievedCase believed = believed_file("cases/wei2016/case1.toml");
@@ -45,8 +48,9 @@ TEST(CoarseObservation, IsNotMadeWhereItWouldHoldTooLittle) {
     EXPECT_FALSE(observed_noise(believed, {.high_hz = 10.0}).coarse);
 }
 
-/// The floor of a blunt likelihood is a tenth or, half sharp, kHalfSharpFloor of a channel's power: its grids leave less than the smaller one, most of that (3.6 %) at 21.5 Hz,
-/// beside which the irregularity of the paper jumps by a factor of 16; what supports make of the wheels' forces, which it leaves out, is less.
+/// The floor of a blunt likelihood is a tenth or, half sharp, kHalfSharpFloor of a channel's power: its grids leave
+/// less than the smaller one, most of that (3.6 %) at 21.5 Hz, beside which the irregularity of the paper jumps by a
+/// factor of 16; what supports make of the wheels' forces, which it leaves out, is less.
 TEST(CoarseObservation, GridsLeaveLessThanTheFloor) {
     BelievedCase believed = believed_file("cases/wei2016/case1.toml");
     believed.numbers.solver.moving = true;
@@ -57,12 +61,15 @@ TEST(CoarseObservation, GridsLeaveLessThanTheFloor) {
     fine.oversampling *= 3;
     fine.sharp = true;
     fine.weights = expectation_weights(coarse.kernel, fine.oversampling);
-    const auto spectra = [&](const ExpectationOptions& options) { return expected_spectra(believed.numbers, coarse.speed_m_per_s, coarse.kernel, coarse.channels, {}, options); };
+    const auto spectra = [&](const ExpectationOptions& options) {
+        return expected_spectra(believed.numbers, coarse.speed_m_per_s, coarse.kernel, coarse.channels, {}, options);
+    };
     const ExpectedSpectra own = spectra(coarse.expectation), exact = spectra(fine);
     ASSERT_EQ(own.values.size(), exact.values.size());
     for (std::size_t bin = 0; bin < own.bins(); ++bin)
         for (long c = 0; c < 2; ++c)
-            EXPECT_NEAR(own.matrix(bin)(c, c).real() / exact.matrix(bin)(c, c).real(), 1.0, kHalfSharpFloor) << coarse.frequency(bin) << " Hz";
+            EXPECT_NEAR(own.matrix(bin)(c, c).real() / exact.matrix(bin)(c, c).real(), 1.0, kHalfSharpFloor)
+                << coarse.frequency(bin) << " Hz";
 }
 
 // Fasteners that failed pass forces on far louder than equal seats do: a blunt likelihood hears that, too.
@@ -73,14 +80,16 @@ TEST(CoarseObservation, HearsWhatDifferingSeatsPassOn) {
         c.solver.moving = true;
         if (failed) c.track.failed_fasteners = {{.every = 8, .remaining_stiffness_fraction = 0.1}};
         ExpectationCache own;
-        expected_spectra(c, coarse.speed_m_per_s, coarse.kernel, coarse.channels, {}, coarse.expectation, nullptr, Reuse::nothing, &own);
+        expected_spectra(c, coarse.speed_m_per_s, coarse.kernel, coarse.channels, {}, coarse.expectation, nullptr,
+                         Reuse::nothing, &own);
         EXPECT_EQ(own.felt.size() > 1, failed);
         for (const pem::Modulation& order : own.orders) EXPECT_EQ(order.bays, 0);
     }
 }
 
-// What screening looks at is the difference that next to no preload makes: a rail that came from elsewhere than that of equal seats (from its lines instead of the table, 1e-5 apart) drowned it, and preloaded pads promised
-// nothing where they were all there was.
+// What screening looks at is the difference that next to no preload makes: a rail that came from elsewhere than that of
+// equal seats (from its lines instead of the table, 1e-5 apart) drowned it, and preloaded pads promised nothing where
+// they were all there was.
 TEST(CoarseObservation, PadsThatLoadHardlyStiffensAreNextToEqualOnes) {
     const Observation coarse = *observed_noise(believed_file("cases/wei2016/case1.toml")).coarse;
     const auto spectra = [&](double strength) {
@@ -94,7 +103,9 @@ TEST(CoarseObservation, PadsThatLoadHardlyStiffensAreNextToEqualOnes) {
     double size = 0.0, off = 0.0;
     for (std::size_t bin = 0; bin < nothing.bins(); ++bin)
         for (long c = 0; c < 2; ++c) {
-            const double power = nothing.matrix(bin)(c, c).real(), first = (once.matrix(bin)(c, c).real() - power) / power, second = (twice.matrix(bin)(c, c).real() - power) / power;
+            const double power = nothing.matrix(bin)(c, c).real(),
+                         first = (once.matrix(bin)(c, c).real() - power) / power,
+                         second = (twice.matrix(bin)(c, c).real() - power) / power;
             size += first * first;
             off += (second - 2.0 * first) * (second - 2.0 * first);
         }

@@ -1,6 +1,6 @@
 // Distances between dips found by their lines.
 
-#include "diagnosis/comb_distances.hpp"
+#include "diagnosis/hypotheses/proposers/comb_distances.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,9 @@ struct Seen {
 };
 
 Seen seen(const std::vector<EffectInstance>& hidden, std::uint64_t seed) {
-    Seen own{.made = synthesised(paper_believed({"vehicle.bogie_mass_kg"}), {15.0, 22.0}, 60.0, {"bogie_1", "wheel_1", "wheel_2"}, kFine), .fit = {}};
+    Seen own{.made = synthesised(paper_believed({"vehicle.bogie_mass_kg"}), {15.0, 22.0}, 60.0,
+                                 {"bogie_1", "wheel_1", "wheel_2"}, kFine),
+             .fit = {}};
     own.fit.trial = own.made.truth;
     own.made.truth.effects = hidden;
     own.made.draw(seed);
@@ -25,11 +27,13 @@ Seen seen(const std::vector<EffectInstance>& hidden, std::uint64_t seed) {
 }
 
 EffectInstance dips_every(double spacing_m) {
-    return {.effect = "rail-joints", .values = {{"spacing_m", spacing_m}, {"depth_m", 1e-3}, {"length_m", 0.5}}, .choices = {}};
+    return {.effect = "rail-joints",
+            .values = {{"spacing_m", spacing_m}, {"depth_m", 1e-3}, {"length_m", 0.5}},
+            .choices = {}};
 }
 
-// Dips of 1 mm. A window of 4 s tells lines of 40 Hz, the highest that a dip of 0.5 m has at 22 m/s, to a quarter of a hertz, 0.6 %: the sum over many lines is
-// asked to be within a third of that.
+// Dips of 1 mm. A window of 4 s tells lines of 40 Hz, the highest that a dip of 0.5 m has at 22 m/s, to a quarter of a
+// hertz, 0.6 %: the sum over many lines is asked to be within a third of that.
 TEST(CombDistances, FindsTheDistanceOfJoints) {
     for (const double spacing : {6.3, 13.7, 25.0}) {
         const Seen own = seen({dips_every(spacing)}, 1);
@@ -40,8 +44,8 @@ TEST(CombDistances, FindsTheDistanceOfJoints) {
     }
 }
 
-// Of some 3000 combs, 500 of them independent, the best of a record without joints reaches ½·z² with z the largest of 500 normal deviates, 3.1 on average
-// and below 4.5 in all but 2 records of 1000.
+// Of some 3000 combs, 500 of them independent, the best of a record without joints reaches ½·z² with z the largest of
+// 500 normal deviates, 3.1 on average and below 4.5 in all but 2 records of 1000.
 TEST(CombDistances, PromisesLittleWhereThereAreNone) {
     for (const std::uint64_t seed : {2U, 3U, 4U}) {
         const Seen own = seen({}, seed);

@@ -1,6 +1,6 @@
 // Distances that share lines with a fitted one.
 
-#include "diagnosis/comb_relatives.hpp"
+#include "diagnosis/hypotheses/proposers/comb_relatives.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,16 +11,24 @@ namespace railpem::diagnosis {
 namespace {
 
 EffectInstance joints(double spacing) {
-    return {.effect = "rail-joints", .values = {{"spacing_m", spacing}, {"depth_m", 1e-3}, {"length_m", 0.8}}, .choices = {}};
+    return {.effect = "rail-joints",
+            .values = {{"spacing_m", spacing}, {"depth_m", 1e-3}, {"length_m", 0.8}},
+            .choices = {}};
 }
 
 bool has_spacing(const std::vector<EffectInstance>& relatives, double spacing) {
-    return std::any_of(relatives.begin(), relatives.end(), [&](const EffectInstance& own) { return std::abs(own.values.at("spacing_m") - spacing) < 1e-9; });
+    return std::any_of(relatives.begin(), relatives.end(), [&](const EffectInstance& own) {
+        return std::abs(own.values.at("spacing_m") - spacing) < 1e-9;
+    });
 }
 
-TEST(CombRelatives, TheTrueDistanceIsAmongThoseOfFourTimesIt) { EXPECT_TRUE(has_spacing(comb_relatives(joints(50.0)), 12.5)); }
+TEST(CombRelatives, TheTrueDistanceIsAmongThoseOfFourTimesIt) {
+    EXPECT_TRUE(has_spacing(comb_relatives(joints(50.0)), 12.5));
+}
 
-TEST(CombRelatives, TheTrueDistanceIsAmongThoseOfHalfOfIt) { EXPECT_TRUE(has_spacing(comb_relatives(joints(12.5)), 25.0)); }
+TEST(CombRelatives, TheTrueDistanceIsAmongThoseOfHalfOfIt) {
+    EXPECT_TRUE(has_spacing(comb_relatives(joints(12.5)), 25.0));
+}
 
 TEST(CombRelatives, StayWithinTheRangeAndKeepTheLinesThatBothHave) {
     const std::vector<EffectInstance> relatives = comb_relatives(joints(12.0));

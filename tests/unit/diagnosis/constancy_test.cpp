@@ -1,6 +1,6 @@
 // Whether recordings agree about an effect's parameter, on recordings drawn with one value and with several.
 
-#include "diagnosis/constancy.hpp"
+#include "diagnosis/judge/constancy.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,11 +10,14 @@
 namespace railpem::diagnosis {
 namespace {
 
-const EffectInstance kHung{.effect = "bogie-mounted-mass", .values = {{"mass_kg", 400.0}, {"frequency_hz", 20.0}, {"damping_ratio", 0.1}}, .choices = {}};
+const EffectInstance kHung{.effect = "bogie-mounted-mass",
+                           .values = {{"mass_kg", 400.0}, {"frequency_hz", 20.0}, {"damping_ratio", 0.1}},
+                           .choices = {}};
 
 /// Three speeds; the mass on the bogies, and what it is in each.
 Synthesised three_masses(const std::vector<double>& masses_kg) {
-    Synthesised made = synthesised(paper_believed({"vehicle.bogie_mass_kg"}), {15.0, 22.2, 33.0}, 60.0, {"body", "bogie_1", "wheel_1"}, kSmall);
+    Synthesised made = synthesised(paper_believed({"vehicle.bogie_mass_kg"}), {15.0, 22.2, 33.0}, 60.0,
+                                   {"body", "bogie_1", "wheel_1"}, kSmall);
     for (std::size_t o = 0; o < masses_kg.size(); ++o) {
         made.truth.effects = {kHung};
         made.truth.effects[0].values["mass_kg"] = masses_kg[o];
@@ -48,7 +51,8 @@ TEST(Constancy, SpeaksWhereEveryRecordingHasAnotherValue) {
 }
 
 TEST(Constancy, AsksNothingOfASingleRecording) {
-    Synthesised made = synthesised(paper_believed({"vehicle.bogie_mass_kg"}), {22.2}, 60.0, {"body", "bogie_1", "wheel_1"}, kSmall);
+    Synthesised made =
+        synthesised(paper_believed({"vehicle.bogie_mass_kg"}), {22.2}, 60.0, {"body", "bogie_1", "wheel_1"}, kSmall);
     made.truth.effects = {kHung};
     made.draw(3);
     Trial trial = made.truth;

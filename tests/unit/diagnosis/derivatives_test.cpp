@@ -1,11 +1,11 @@
-#include "diagnosis/derivatives.hpp"
+#include "diagnosis/fit/derivatives.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "diagnosis/fit.hpp"
+#include "diagnosis/fit/fit.hpp"
 #include "tests/unit/diagnosis/synthesised_fixture.hpp"
 
 namespace railpem::diagnosis {
@@ -38,11 +38,13 @@ TEST(Derivatives, CarriedAlongWithTheLevelOfTheIrregularityAreExact) {
         if (unknowns[u].name == "irregularity level") values[u] += std::log(2.0);
     set_values(trial, unknowns, values);
     const Predictions after = predict(trial, made.context());
-    const auto carried = derivatives_near(known, trial, unknowns, values, after, made.context()), anew = differentiate(trial, unknowns, values, after, made.context());
+    const auto carried = derivatives_near(known, trial, unknowns, values, after, made.context()),
+               anew = differentiate(trial, unknowns, values, after, made.context());
     ASSERT_EQ(carried.size(), anew.size());
     for (std::size_t d = 0; d < anew.size(); ++d) {
         ASSERT_EQ(carried[d].unknown, anew[d].unknown);
-        EXPECT_LT(largest_difference(anew[d], carried[d]), 1e-6) << unknowns[static_cast<std::size_t>(anew[d].unknown)].name;
+        EXPECT_LT(largest_difference(anew[d], carried[d]), 1e-6)
+            << unknowns[static_cast<std::size_t>(anew[d].unknown)].name;
     }
 }
 

@@ -32,8 +32,9 @@ TEST(EffectRefusals, Names) {
     EXPECT_EQ(refusal({.effect = "rail-shears"}).substr(0, 109),
               "effect.id: there is no effect 'rail-shears'; allowed: pad-frequency-stiffening, pad-preload-stiffening, "
               "pad-h");
-    EXPECT_EQ(refusal({.effect = "rail-damper", .values = {{"mass", 10.0}}}),
-              "effect.mass: 'rail-damper' has no 'mass'; allowed: mass_kg_per_m, frequency_hz, loss_factor, loss_exponent");
+    EXPECT_EQ(
+        refusal({.effect = "rail-damper", .values = {{"mass", 10.0}}}),
+        "effect.mass: 'rail-damper' has no 'mass'; allowed: mass_kg_per_m, frequency_hz, loss_factor, loss_exponent");
     EXPECT_EQ(refusal({.effect = "suspension-friction", .values = {{"stage", 1.0}}}),
               "effect.stage: 'stage' of 'suspension-friction' is a choice; allowed: primary, secondary");
     EXPECT_EQ(refusal({.effect = "rail-damper", .choices = {{"mass_kg_per_m", "ten"}}}),

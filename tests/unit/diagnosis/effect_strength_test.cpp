@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pem/solution.hpp"
+#include "pem/coupling/solution.hpp"
 #include "tests/unit/diagnosis/effect_fixtures.hpp"
 
 namespace railpem::diagnosis {
@@ -90,11 +90,12 @@ TEST_P(EffectStrength, SolvedAtTheEndsOfItsRange) {
         }
 }
 
-INSTANTIATE_TEST_SUITE_P(Library, EffectStrength, testing::Range<std::size_t>(0, effects().size()), [](const auto& parameter) {
-    std::string name = effects()[parameter.param].id;
-    std::replace(name.begin(), name.end(), '-', '_');
-    return name;
-});
+INSTANTIATE_TEST_SUITE_P(Library, EffectStrength, testing::Range<std::size_t>(0, effects().size()),
+                         [](const auto& parameter) {
+                             std::string name = effects()[parameter.param].id;
+                             std::replace(name.begin(), name.end(), '-', '_');
+                             return name;
+                         });
 
 /// The shear coefficient is no strength: the rail shears or not. With a cross-section grown without bounds (stiffness
 /// κGA up, rotary inertia mI/A down) the Timoshenko rail is the Euler rail.

@@ -1,20 +1,23 @@
 // The count of what a search has computed, and searches that it ends.
 
-#include "diagnosis/effort.hpp"
+#include "diagnosis/model/effort.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "diagnosis/name.hpp"
+#include "diagnosis/search/name_physics.hpp"
 #include "tests/unit/diagnosis/synthesised_fixture.hpp"
 
 namespace railpem::diagnosis {
 namespace {
 
 Synthesised with_loud_sensors() {
-    Synthesised made = synthesised(paper_believed({"vehicle.bogie_mass_kg"}), {15.0, 22.2}, 30.0, {"bogie_1", "bogie_2", "wheel_1", "wheel_3"}, kSmall);
-    for (const char* channel : {"bogie_1", "axlebox_3"}) made.truth.effects.push_back({.effect = "sensor-gain", .values = {{"gain", 1.2}}, .choices = {{"channel", channel}}});
+    Synthesised made = synthesised(paper_believed({"vehicle.bogie_mass_kg"}), {15.0, 22.2}, 30.0,
+                                   {"bogie_1", "bogie_2", "wheel_1", "wheel_3"}, kSmall);
+    for (const char* channel : {"bogie_1", "axlebox_3"})
+        made.truth.effects.push_back(
+            {.effect = "sensor-gain", .values = {{"gain", 1.2}}, .choices = {{"channel", channel}}});
     made.draw(4);
     return made;
 }
@@ -42,13 +45,15 @@ TEST(Effort, OfAPredictionIsLessTheMoreItReuses) {
     pem::CaseParameters failed = plain;
     failed.track.failed_fasteners = {{.every = 8}};
     EXPECT_GT(effort_of_prediction(failed, 1000, Reuse::nothing), effort_of_prediction(plain, 1000, Reuse::nothing));
-    EXPECT_EQ(effort_of_prediction(failed, 1000, Reuse::rail), effort_of_prediction(plain, 1000, Reuse::rail)) << "the rail is not solved again";
+    EXPECT_EQ(effort_of_prediction(failed, 1000, Reuse::rail), effort_of_prediction(plain, 1000, Reuse::rail))
+        << "the rail is not solved again";
 }
 
 // Recordings of a wide band, and many of them, are searched longer; how long their segments are does not matter.
 TEST(Effort, IsAllowedByTheBandsOfTheRecordings) {
     const auto allowed = [](std::size_t count, double window_s) {
-        const Synthesised made = synthesised(paper_believed({}), std::vector<double>(count, 22.2), 30.0, {"wheel_1"}, {.window_s = window_s, .low_hz = 2.0, .high_hz = 162.0});
+        const Synthesised made = synthesised(paper_believed({}), std::vector<double>(count, 22.2), 30.0, {"wheel_1"},
+                                             {.window_s = window_s, .low_hz = 2.0, .high_hz = 162.0});
         return effort_allowed(made.shapes, 75.0);
     };
     EXPECT_DOUBLE_EQ(allowed(1, 1.0), 75.0);
@@ -56,10 +61,13 @@ TEST(Effort, IsAllowedByTheBandsOfTheRecordings) {
     EXPECT_NEAR(allowed(6, 4.0), 150.0, 2.0);
 }
 
-NamingResult named(const Synthesised& made, double effort_s, int threads = 2) { return name_physics(made.believed, made.context(Part::fitted, threads), {.effort_s = effort_s}); }
+NamingResult named(const Synthesised& made, double effort_s, int threads = 2) {
+    return name_physics(made.believed, made.context(Part::fitted, threads), {.effort_s = effort_s});
+}
 
 bool was_ended(const NamingResult& found) {
-    return std::any_of(found.not_tested.begin(), found.not_tested.end(), [](const NotTested& own) { return own.effect == "further sets of effects"; });
+    return std::any_of(found.not_tested.begin(), found.not_tested.end(),
+                       [](const NotTested& own) { return own.effect == "further sets of effects"; });
 }
 
 TEST(Effort, EndsASearchWithWhatWasFound) {

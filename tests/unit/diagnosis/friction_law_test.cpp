@@ -1,8 +1,8 @@
 // The power of friction's own forces, on recordings drawn with that of a constant force and with four times as much.
 
-#include "diagnosis/constant_friction.hpp"
-#include "diagnosis/friction_law.hpp"
-#include "diagnosis/friction_run.hpp"
+#include "diagnosis/judge/friction_law.hpp"
+#include "diagnosis/findings/friction_run.hpp"
+#include "diagnosis/judge/constant_friction.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,12 +13,15 @@
 namespace railpem::diagnosis {
 namespace {
 
-const EffectInstance kFriction{.effect = "suspension-friction", .values = {{"force_n", 1500.0}}, .choices = {{"stage", "primary"}}};
+const EffectInstance kFriction{
+    .effect = "suspension-friction", .values = {{"force_n", 1500.0}}, .choices = {{"stage", "primary"}}};
 
-const EffectInstance kStrong{.effect = "suspension-friction", .values = {{"force_n", 2000.0}}, .choices = {{"stage", "primary"}}};
+const EffectInstance kStrong{
+    .effect = "suspension-friction", .values = {{"force_n", 2000.0}}, .choices = {{"stage", "primary"}}};
 
 Synthesised with_friction(const std::vector<double>& speeds, double power, const EffectInstance& friction = kFriction) {
-    Synthesised made = synthesised(paper_believed({"vehicle.primary.damping_n_s_per_m", "vehicle.bogie_mass_kg"}), speeds, 60.0, nine_channels(), kSmall);
+    Synthesised made = synthesised(paper_believed({"vehicle.primary.damping_n_s_per_m", "vehicle.bogie_mass_kg"}),
+                                   speeds, 60.0, nine_channels(), kSmall);
     made.truth.effects = {friction};
     for (Observation& shape : made.shapes) shape.expectation.friction_power = power;
     made.draw(5);
@@ -32,7 +35,9 @@ Fit fitted(const Synthesised& made, const EffectInstance& friction = kFriction) 
     return own;
 }
 
-FrictionLaw law_of(const Synthesised& made) { return friction_law(fitted(made), made.context()).value(); }
+FrictionLaw law_of(const Synthesised& made) {
+    return friction_law(fitted(made), made.context()).value();
+}
 
 TEST(FrictionLaw, OfAConstantForceHasItsPower) {
     const FrictionLaw law = law_of(with_friction({15.0, 22.2, 33.0}, 1.0));
@@ -42,14 +47,16 @@ TEST(FrictionLaw, OfAConstantForceHasItsPower) {
     EXPECT_FALSE(is_open(law));
 }
 
-// What is fitted bends towards it (the force to seven times its equivalent damping): the first order sees 1.87 of 4, by 19 deviations more than 1.
+// What is fitted bends towards it (the force to seven times its equivalent damping): the first order sees 1.87 of 4, by
+// 19 deviations more than 1.
 TEST(FrictionLaw, OfAnotherForceHasAnother) {
     const FrictionLaw law = law_of(with_friction({15.0, 22.2, 33.0}, 4.0));
     EXPECT_GT(law.power - 3.0 * law.deviation, 1.5);
     EXPECT_TRUE(is_another(law)) << law.expected;
 }
 
-// At one speed damping and friction do the same, and the force is known by this power alone: 5.1 to 5.8 times worse in three draws.
+// At one speed damping and friction do the same, and the force is known by this power alone: 5.1 to 5.8 times worse in
+// three draws.
 TEST(FrictionLaw, IsKnownWorseAtOneSpeed) {
     const FrictionLaw one = law_of(with_friction({22.2}, 1.0)), three = law_of(with_friction({15.0, 22.2, 33.0}, 1.0));
     EXPECT_GT(one.deviation, 4.0 * three.deviation) << one.deviation << " " << three.deviation;
@@ -58,22 +65,27 @@ TEST(FrictionLaw, IsKnownWorseAtOneSpeed) {
     EXPECT_FALSE(three.at_one_speed);
 }
 
-// What a further run is said to tell is what it tells, but for the force at which that is asked: at one speed it is known to a tenth or two, and 15, 27 and 31 % lay between promise and run in three draws.
+// What a further run is said to tell is what it tells, but for the force at which that is asked: at one speed it is
+// known to a tenth or two, and 15, 27 and 31 % lay between promise and run in three draws.
 TEST(FrictionRun, TellsWhatItPromises) {
     const Synthesised one = with_friction({22.2}, 1.0), two = with_friction({22.2, 33.3}, 1.0);
-    EXPECT_NEAR(deviation_with_run(fitted(one), 33.3, one.context()), law_of(two).deviation, 0.4 * law_of(two).deviation);
+    EXPECT_NEAR(deviation_with_run(fitted(one), 33.3, one.context()), law_of(two).deviation,
+                0.4 * law_of(two).deviation);
 }
 
 TEST(FrictionRun, IsAtAnotherSpeed) {
     const Synthesised one = with_friction({22.2}, 1.0);
     const Fit own = fitted(one);
-    const double same = deviation_with_run(own, 22.2, one.context()), faster = deviation_with_run(own, 33.3, one.context()), slower = deviation_with_run(own, 13.32, one.context());
+    const double same = deviation_with_run(own, 22.2, one.context()),
+                 faster = deviation_with_run(own, 33.3, one.context()),
+                 slower = deviation_with_run(own, 13.32, one.context());
     EXPECT_LT(std::min(faster, slower), 0.25 * same);  // 0.13 to 0.16 in three draws
     const std::string said = would_tell_friction(own, one.context());
     EXPECT_EQ(said.find(faster < slower ? "a minute at 120 km/h," : "a minute at 48 km/h,"), 0u) << said;
 }
 
-// Strong friction makes velocities less Gaussian: recordings drawn with what it then does show more power than linearisation knows, and that is what is expected of a constant force.
+// Strong friction makes velocities less Gaussian: recordings drawn with what it then does show more power than
+// linearisation knows, and that is what is expected of a constant force.
 TEST(FrictionLaw, OfAConstantForceIsWhatIsExpected) {
     Synthesised made = with_friction({15.0, 22.2, 33.0}, 1.0, kStrong);
     const std::vector<Observation> expecting = with_constant_friction(made.truth, made.context());
@@ -95,7 +107,9 @@ TEST(FrictionLaw, IsNoneWithoutFriction) {
 }
 
 TEST(FrictionLaw, IsSettledByTwoOrThreeDeviations) {
-    for (const auto& [power, deviation, another, open] : {std::tuple(1.0, 0.01, false, false), std::tuple(1.1, 0.02, true, false), std::tuple(1.1, 0.2, false, true), std::tuple(1.0, 0.3, false, true)})
+    for (const auto& [power, deviation, another, open] :
+         {std::tuple(1.0, 0.01, false, false), std::tuple(1.1, 0.02, true, false), std::tuple(1.1, 0.2, false, true),
+          std::tuple(1.0, 0.3, false, true)})
         for (const double expected : {1.0, 1.4}) {
             const FrictionLaw law{power * expected, deviation * expected, expected};
             EXPECT_EQ(is_another(law), another) << power;
@@ -104,7 +118,9 @@ TEST(FrictionLaw, IsSettledByTwoOrThreeDeviations) {
 }
 
 // A power that is as good as known is known no better than what is expected of a constant force.
-TEST(FrictionLaw, KnowsNoBetterThanWhatIsExpected) { EXPECT_NEAR((FrictionLaw{1.0, 0.0, 1.0}).uncertainty(), 0.01, 1e-12); }
+TEST(FrictionLaw, KnowsNoBetterThanWhatIsExpected) {
+    EXPECT_NEAR((FrictionLaw{1.0, 0.0, 1.0}).uncertainty(), 0.01, 1e-12);
+}
 
 // A force that holds its stage for most of the time has forces beside its damping as one has that sticks harder.
 TEST(FrictionLaw, IsOpenWhereItSlidesSeldom) {

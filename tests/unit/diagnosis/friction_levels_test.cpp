@@ -1,4 +1,4 @@
-#include "diagnosis/friction_levels.hpp"
+#include "diagnosis/model/friction_levels.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,9 +9,13 @@ namespace {
 
 constexpr double kTwice_db = 6.020599913279624;
 
-Synthesised slow_and_fast() { return synthesised(paper_believed({}), {15.0, 33.0}, 20.0, {"wheel_1"}, kSmall); }
+Synthesised slow_and_fast() {
+    return synthesised(paper_believed({}), {15.0, 33.0}, 20.0, {"wheel_1"}, kSmall);
+}
 
-std::vector<FrictionLevel> levels_of(const Synthesised& made, const Trial& trial) { return friction_levels(trial, made.believed, made.shapes); }
+std::vector<FrictionLevel> levels_of(const Synthesised& made, const Trial& trial) {
+    return friction_levels(trial, made.believed, made.shapes);
+}
 
 // So little friction changes nothing, and velocities go with the irregularity.
 TEST(FrictionLevels, AreVelocitiesThatDoubleWithTheIrregularity) {
@@ -20,7 +24,8 @@ TEST(FrictionLevels, AreVelocitiesThatDoubleWithTheIrregularity) {
     EXPECT_TRUE(levels_of(made, trial).empty());
     trial.numbers.vehicle.primary.friction_force_n = 1e-6;
     const std::vector<FrictionLevel> once = levels_of(made, trial);
-    trial.effects.push_back({.effect = "irregularity-spectrum", .values = {{"level_db", kTwice_db}, {"slope_db_per_octave", 0.0}}});
+    trial.effects.push_back(
+        {.effect = "irregularity-spectrum", .values = {{"level_db", kTwice_db}, {"slope_db_per_octave", 0.0}}});
     const std::vector<FrictionLevel> twice = levels_of(made, trial);
     ASSERT_EQ(once.size(), 1u);
     ASSERT_EQ(twice.size(), 1u);

@@ -1,13 +1,13 @@
 // Expected spectra with friction that is not linearised.
 
-#include "diagnosis/friction_spectra.hpp"
+#include "diagnosis/expectation/friction_spectra.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <memory>
 
-#include "pem/linearise.hpp"
+#include "pem/coupling/linearise.hpp"
 #include "tests/unit/diagnosis/synthesised_fixture.hpp"
 
 namespace railpem::diagnosis {
@@ -17,7 +17,8 @@ constexpr double kSlow = 22.2;
 
 struct Asked {
     pem::CaseParameters parameters = tests::paper_case(1);
-    Observation shape = observation_shape(kSlow, 0.0, 60.0, {"wheel_1", "bogie_1", "bogie_2", "body"}, tests::paper_case(1), kSmall);
+    Observation shape =
+        observation_shape(kSlow, 0.0, 60.0, {"wheel_1", "bogie_1", "bogie_2", "body"}, tests::paper_case(1), kSmall);
 
     ExpectedSpectra expected(std::shared_ptr<const StageFriction> realised) const {
         ExpectationOptions options = shape.expectation;
@@ -41,14 +42,16 @@ TEST(FrictionSpectra, OfNothingBeyondTheLinearisationAreThoseOfIt) {
     Asked asked;
     asked.parameters.vehicle.primary.friction_force_n = 1000.0;
     const ExpectedSpectra plain = asked.expected(nullptr);
-    EXPECT_LT(distance(asked.expected(with_curves(0.0, 1.0)), plain), 1e-12 * distance(plain, {.values = std::vector<std::complex<double>>(plain.values.size())}));
+    EXPECT_LT(distance(asked.expected(with_curves(0.0, 1.0)), plain),
+              1e-12 * distance(plain, {.values = std::vector<std::complex<double>>(plain.values.size())}));
 }
 
 // So little friction that ten times its damping is a small change of the damper, and its own forces nothing.
 TEST(FrictionSpectra, FollowDampingAsADamperDoes) {
     for (const bool primary : {true, false}) {
         Asked asked;
-        vehicle::SuspensionParameters& stage = primary ? asked.parameters.vehicle.primary : asked.parameters.vehicle.secondary;
+        vehicle::SuspensionParameters& stage =
+            primary ? asked.parameters.vehicle.primary : asked.parameters.vehicle.secondary;
         stage.friction_force_n = 0.1;
         const ExpectedSpectra plain = asked.expected(nullptr), followed = asked.expected(with_curves(10.0, 1.0));
         pem::CoupledModel model = pem::coupled_model(asked.parameters, kSlow);
@@ -63,9 +66,11 @@ TEST(FrictionSpectra, FollowDampingAsADamperDoes) {
 TEST(FrictionSpectra, TakeThePowerOfTheRest) {
     Asked asked;
     asked.parameters.vehicle.primary.friction_force_n = 1000.0;
-    const ExpectedSpectra none = asked.expected(with_curves(0.0, 0.0)), once = asked.expected(with_curves(0.0, 1.0)), twice = asked.expected(with_curves(0.0, 2.0));
+    const ExpectedSpectra none = asked.expected(with_curves(0.0, 0.0)), once = asked.expected(with_curves(0.0, 1.0)),
+                          twice = asked.expected(with_curves(0.0, 2.0));
     for (std::size_t i = 0; i < none.values.size(); ++i)
-        EXPECT_NEAR(std::abs(twice.values[i] - none.values[i] - 2.0 * (once.values[i] - none.values[i])), 0.0, 1e-9 * std::abs(twice.values[i]));
+        EXPECT_NEAR(std::abs(twice.values[i] - none.values[i] - 2.0 * (once.values[i] - none.values[i])), 0.0,
+                    1e-9 * std::abs(twice.values[i]));
     EXPECT_GT(distance(once, none), 0.0);
 }
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "diagnosis/effects/effect.hpp"
-#include "diagnosis/verdict.hpp"
+#include "diagnosis/judge/verdict.hpp"
 
 namespace railpem::diagnosis {
 
@@ -17,7 +17,8 @@ inline Candidate given_member(const std::string& effect) {
     return own;
 }
 
-inline FittedSet given_set(const std::vector<std::string>& effects, const std::vector<std::string>& released, double score, double held_out) {
+inline FittedSet given_set(const std::vector<std::string>& effects, const std::vector<std::string>& released,
+                           double score, double held_out) {
     FittedSet set{.released = released, .held_out = held_out};
     for (const std::string& effect : effects) set.effects.push_back(given_member(effect));
     set.fit.log_evidence = score;
@@ -36,7 +37,11 @@ inline FittedSet leaning_set(FittedSet set, double nats) {
 /// The one released number of a set lies on the end of what a wrong number is and would gain so many nats beyond.
 inline FittedSet leaning_number(FittedSet set, double nats) {
     set = leaning_set(std::move(set), nats);
-    set.fit.unknowns.front() = {.kind = UnknownKind::number, .name = set.released.front(), .deviation = kReleasedDeviation, .low = -std::log(4.0), .high = std::log(4.0)};
+    set.fit.unknowns.front() = {.kind = UnknownKind::number,
+                                .name = set.released.front(),
+                                .deviation = kReleasedDeviation,
+                                .low = -std::log(4.0),
+                                .high = std::log(4.0)};
     set.fit.values.front() = set.fit.unknowns.front().high;
     return set;
 }
@@ -48,12 +53,16 @@ inline NamingResult given_naming(std::vector<FittedSet> sets) {
     return naming;
 }
 
-/// A contact at the top of its range that would gain 10 nats, of the 30 that its approximation may leave, `beyond` times as far from Hertz's as that.
+/// A contact at the top of its range that would gain 10 nats, of the 30 that its approximation may leave, `beyond`
+/// times as far from Hertz's as that.
 inline FittedSet contact_beyond(double beyond) {
     const EffectParameter& factor = find_effect("contact-nonlinearity")->parameters.front();
     FittedSet strong = leaning_set(given_set({"contact-nonlinearity"}, {}, 1000.0, 300.0), 10.0);
     Unknown& unknown = strong.fit.unknowns.front();
-    unknown = {.kind = UnknownKind::effect, .name = "contact-nonlinearity.factor", .low = to_coordinate(factor, factor.low), .high = to_coordinate(factor, factor.high)};
+    unknown = {.kind = UnknownKind::effect,
+               .name = "contact-nonlinearity.factor",
+               .low = to_coordinate(factor, factor.low),
+               .high = to_coordinate(factor, factor.high)};
     strong.fit.values.front() = unknown.high;
     const double step = to_coordinate(factor, factor.nothing + beyond * (factor.high - factor.nothing)) - unknown.high;
     strong.fit.covariance(0, 0) = step * step / (2.0 * 10.0);

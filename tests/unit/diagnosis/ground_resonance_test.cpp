@@ -1,17 +1,19 @@
 // What differs from wheel to wheel at the pads is of the ground where it resonates.
 
-#include "diagnosis/ground_resonance.hpp"
+#include "diagnosis/judge/ground_resonance.hpp"
 
 #include <gtest/gtest.h>
 
-#include "diagnosis/posterior.hpp"
+#include "diagnosis/judge/posterior.hpp"
 
 namespace railpem::diagnosis {
 namespace {
 
 const std::vector<double> kOctaves = {2.0, 4.2, 8.9, 18.7, 39.4, 83.1, 175.0};
 
-std::optional<double> resonance(std::vector<double> share) { return resonance_of({.frequency_hz = kOctaves, .share = std::move(share)}); }
+std::optional<double> resonance(std::vector<double> share) {
+    return resonance_of({.frequency_hz = kOctaves, .share = std::move(share)});
+}
 
 // Fitted to marched records of ground that wanders about 31 Hz and 77 Hz.
 TEST(GroundResonance, IsSeenWhereTheGroundWanders) {
@@ -19,7 +21,8 @@ TEST(GroundResonance, IsSeenWhereTheGroundWanders) {
     EXPECT_EQ(resonance({0.0, 0.0, 0.0, 0.0, 0.00025, 0.00259, 0.0}), 83.1);
 }
 
-// Fitted to marched records of a play of 0.1 mm, on two vehicles' runs; that of the second is as strong in the last two nodes.
+// Fitted to marched records of a play of 0.1 mm, on two vehicles' runs; that of the second is as strong in the last two
+// nodes.
 TEST(GroundResonance, IsNotSeenOfAPlay) {
     EXPECT_FALSE(resonance({2e-5, 0.0, 0.0, 0.00037, 0.00033, 0.00152, 0.00311}));
     EXPECT_FALSE(resonance({0.0, 0.0, 8e-5, 0.00055, 0.00044, 0.0033, 0.00324}));
@@ -44,7 +47,9 @@ PlaceStudy study_of(std::vector<double> share) {
     pads.fit.trial.numbers.wheels_own = {.frequency_hz = kOctaves, .share = std::move(share)};
     PlaceStudy study;
     study.anonymous = {pads};
-    study.at_retuned = {{.element = Element::pad, .nats = 500.0, .forces = true}, {.element = Element::wheel, .nats = 40.0}, {.element = Element::support, .nats = 30.0}};
+    study.at_retuned = {{.element = Element::pad, .nats = 500.0, .forces = true},
+                        {.element = Element::wheel, .nats = 40.0},
+                        {.element = Element::support, .nats = 30.0}};
     return study;
 }
 

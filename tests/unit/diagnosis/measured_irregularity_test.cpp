@@ -1,24 +1,28 @@
 // Beliefs about the irregularity from measured spectra and profiles.
 
-#include "diagnosis/measured_irregularity.hpp"
+#include "diagnosis/observations/measured_irregularity.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "diagnosis/trial.hpp"
+#include "diagnosis/model/trial.hpp"
 #include "spectra/irregularity_spectrum.hpp"
 #include "tests/unit/diagnosis/synthesised_fixture.hpp"
 
 namespace railpem::diagnosis {
 namespace {
 
-const spectra::IrregularityParameters believed{.bands = {{.family = spectra::Family::power_law, .shortest_wavelength_m = 0.1, .longest_wavelength_m = 100.0, .coefficient_m3 = 1e-7, .exponent = 3.0}}};
+const spectra::IrregularityParameters believed{.bands = {{.family = spectra::Family::power_law,
+                                                          .shortest_wavelength_m = 0.1,
+                                                          .longest_wavelength_m = 100.0,
+                                                          .coefficient_m3 = 1e-7,
+                                                          .exponent = 3.0}}};
 
 /// The believed spectrum times a factor, on even lines as a profile's estimate has them, or as a coarse table.
 recordings::MeasuredIrregularity measured(double factor, double averages, double from, double to, double ratio) {
     recordings::MeasuredIrregularity own{.file = "track.csv", .averages = averages};
-    for (double n = from; n < to; n = averages > 0.0 ? n + ratio : n * ratio) {
+    for (double n = from; n<to; n = averages> 0.0 ? n + ratio : n * ratio) {
         own.cycles_per_m.push_back(n);
         own.psd_m3.push_back(factor * spectra::irregularity_psd_m3(believed, n));
     }
@@ -39,7 +43,10 @@ TEST(NodeBeliefs, SpectrumGivesItsFactorEverywhere) {
 TEST(NodeBeliefs, ProfileKnowsAsMuchAsItsAveragesAndLines) {
     const auto beliefs = node_beliefs(believed, {measured(0.5, 15.0, 0.01, 5.0, 0.01)}, wavelengths);
     for (std::size_t i = 1; i + 1 < wavelengths.size(); ++i) {
-        const double lines = (1.0 / wavelengths[i]) * (std::sqrt(wavelengths[i] / wavelengths[i - 1]) - 1.0 / std::sqrt(wavelengths[i] / wavelengths[i - 1])) / 0.01;
+        const double lines =
+            (1.0 / wavelengths[i]) *
+            (std::sqrt(wavelengths[i] / wavelengths[i - 1]) - 1.0 / std::sqrt(wavelengths[i] / wavelengths[i - 1])) /
+            0.01;
         EXPECT_NEAR(beliefs[i].mean, std::log(0.5), 1e-6);
         EXPECT_NEAR(beliefs[i].deviation, std::max(0.02, 1.0 / std::sqrt(15.0 * lines)), 0.02);
     }
@@ -53,7 +60,8 @@ TEST(NodeBeliefs, LeaveWhatWasNotMeasured) {
 }
 
 TEST(NodeBeliefs, WeighSeveralByTheirPrecision) {
-    const auto beliefs = node_beliefs(believed, {measured(2.0, 0.0, 0.05, 10.0, 1.1), measured(8.0, 0.0, 0.05, 10.0, 1.1)}, wavelengths);
+    const auto beliefs =
+        node_beliefs(believed, {measured(2.0, 0.0, 0.05, 10.0, 1.1), measured(8.0, 0.0, 0.05, 10.0, 1.1)}, wavelengths);
     EXPECT_NEAR(beliefs[3].mean, std::log(4.0), 1e-6);
     EXPECT_NEAR(beliefs[3].deviation, 0.1 / std::sqrt(2.0), 1e-12);
 }

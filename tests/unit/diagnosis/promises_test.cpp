@@ -1,12 +1,13 @@
-// First-order promises against the evidences of a Gaussian problem computed by brute force: sums over a grid of the unknowns.
+// First-order promises against the evidences of a Gaussian problem computed by brute force: sums over a grid of the
+// unknowns.
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
 #include <numbers>
 
-#include "diagnosis/corrections.hpp"
-#include "diagnosis/screen.hpp"
+#include "diagnosis/hypotheses/corrections.hpp"
+#include "diagnosis/hypotheses/screen.hpp"
 #include "tests/unit/diagnosis/synthesised_fixture.hpp"
 
 namespace railpem::diagnosis {
@@ -19,7 +20,8 @@ double log_evidence(double best, double information, double mean, double deviati
     double sum = 0.0;
     for (int i = 0; i < kPoints; ++i) {
         const double x = mean - reach + 2.0 * reach * i / (kPoints - 1);
-        sum += std::exp(-0.5 * information * (x - best) * (x - best) - 0.5 * (x - mean) * (x - mean) / (deviation * deviation));
+        sum += std::exp(-0.5 * information * (x - best) * (x - best) -
+                        0.5 * (x - mean) * (x - mean) / (deviation * deviation));
     }
     return std::log(sum * 2.0 * reach / (kPoints - 1) / (deviation * std::sqrt(2.0 * std::numbers::pi)));
 }
@@ -27,7 +29,8 @@ double log_evidence(double best, double information, double mean, double deviati
 /// A fit of two numbers to a Gaussian likelihood with its maximum at `best`.
 Fit gaussian_fit(const Eigen::Vector2d& best, const Eigen::Matrix2d& information) {
     Fit fit;
-    fit.unknowns = {{.name = "first", .mean = 0.0, .deviation = 0.1}, {.name = "second", .mean = 0.2, .deviation = 0.5}};
+    fit.unknowns = {{.name = "first", .mean = 0.0, .deviation = 0.1},
+                    {.name = "second", .mean = 0.2, .deviation = 0.5}};
     Eigen::Matrix2d curvature = information;
     Eigen::Vector2d right = information * best;
     for (int i = 0; i < 2; ++i) {
@@ -67,9 +70,11 @@ TEST(ReleaseGain, NothingWhereTheDataSayNothing) {
     EXPECT_EQ(release_gain(fit, 0, 1.15), 0.0);
 }
 
-// A power cannot be negative: forces of the secondary suspension that are not there promise nothing that the factor on its stiffness alone does not promise.
+// A power cannot be negative: forces of the secondary suspension that are not there promise nothing that the factor on
+// its stiffness alone does not promise.
 TEST(PromisesOf, PowersDoNotFall) {
-    Synthesised made = synthesised(paper_believed({"vehicle.primary.stiffness_n_per_m"}), {20.0}, 60.0, nine_channels(), kSmall);
+    Synthesised made =
+        synthesised(paper_believed({"vehicle.primary.stiffness_n_per_m"}), {20.0}, 60.0, nine_channels(), kSmall);
     made.draw(22);
     const std::vector<Unknown> own = nuisance_unknowns(made.believed, made.observations);
     const Fit fitted = fit(believed_trial(made.believed, made.observations), own, means(own), made.context());
@@ -80,7 +85,8 @@ TEST(PromisesOf, PowersDoNotFall) {
     for (std::size_t i = 0; i < freedom.size(); ++i) {
         if (freedom[i].low < freedom[i].mean) continue;
         ++powers;
-        const double value = promise.values(static_cast<long>(i)), variance = promise.covariance(static_cast<long>(i), static_cast<long>(i));
+        const double value = promise.values(static_cast<long>(i)),
+                     variance = promise.covariance(static_cast<long>(i), static_cast<long>(i));
         EXPECT_GE(value, 0.0) << freedom[i].name;
         EXPECT_EQ(variance > 0.0, value > 0.0) << freedom[i].name;
         kept += value > 0.0;
@@ -89,11 +95,12 @@ TEST(PromisesOf, PowersDoNotFall) {
     EXPECT_LT(kept, powers);  // by chance every second would fall
 }
 
-// A fit and a freedom whose likelihood is nearly Gaussian: many averages, a small truth. The promise must be what the evidences of the
-// two fits differ by. Second order in what is missing: a mass off by 6 % leaves some 10 % of the nats.
+// A fit and a freedom whose likelihood is nearly Gaussian: many averages, a small truth. The promise must be what the
+// evidences of the two fits differ by. Second order in what is missing: a mass off by 6 % leaves some 10 % of the nats.
 TEST(PromisesOf, IsTheDifferenceOfTheEvidencesOfTwoFits) {
-    Synthesised made = synthesised(paper_believed({"vehicle.primary.stiffness_n_per_m", "vehicle.primary.damping_n_s_per_m"}), {20.0}, 300.0,
-                                   {"body", "bogie_1", "wheel_1"}, {.window_s = 1.0, .low_hz = 4.0, .high_hz = 40.0});
+    Synthesised made =
+        synthesised(paper_believed({"vehicle.primary.stiffness_n_per_m", "vehicle.primary.damping_n_s_per_m"}), {20.0},
+                    300.0, {"body", "bogie_1", "wheel_1"}, {.window_s = 1.0, .low_hz = 4.0, .high_hz = 40.0});
     number_at(made.truth.numbers, "vehicle.bogie_mass_kg") *= 1.06;
     made.draw(21);
     std::vector<Unknown> own = nuisance_unknowns(made.believed, made.observations);
@@ -119,12 +126,13 @@ TEST(PromisesOf, IsTheDifferenceOfTheEvidencesOfTwoFits) {
     exact.from_far = false;
     const Fit with = fit(believed_trial(made.believed, made.observations), all, start, made.context(), exact);
     const double gained = with.log_evidence - without.log_evidence;
-    std::printf("promised %.2f, gained %.2f nats; value %.4f ± %.4f, fitted %.4f\n", promise.nats, gained, promise.values(0),
-                std::sqrt(promise.covariance(0, 0)), with.values.back());
+    std::printf("promised %.2f, gained %.2f nats; value %.4f ± %.4f, fitted %.4f\n", promise.nats, gained,
+                promise.values(0), std::sqrt(promise.covariance(0, 0)), with.values.back());
     EXPECT_GT(gained, 2.0);
     EXPECT_NEAR(promise.nats, gained, 0.1 * gained + 0.3);
     EXPECT_NEAR(promise.values(0), with.values.back(), 0.5 * with.deviation(all.size() - 1));
-    EXPECT_NEAR(std::sqrt(promise.covariance(0, 0)), with.deviation(all.size() - 1), 0.15 * with.deviation(all.size() - 1));
+    EXPECT_NEAR(std::sqrt(promise.covariance(0, 0)), with.deviation(all.size() - 1),
+                0.15 * with.deviation(all.size() - 1));
 }
 
 }  // namespace

@@ -1,12 +1,12 @@
 // Levels that are off in both parts of a recording: those that are, and not what chance makes of either.
 
-#include "diagnosis/repeated_levels.hpp"
+#include "diagnosis/judge/repeated_levels.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "diagnosis/compare_channels.hpp"
+#include "diagnosis/judge/compare_channels.hpp"
 #include "tests/unit/diagnosis/synthesised_fixture.hpp"
 
 namespace railpem::diagnosis {
@@ -14,7 +14,10 @@ namespace {
 
 constexpr int kLevelDraws = 24;
 
-Synthesised short_run() { return synthesised(paper_believed({"vehicle.primary.damping_n_s_per_m"}), {80.0 / 3.6}, 30.0, {"body", "bogie_1", "wheel_1"}, kSmall); }
+Synthesised short_run() {
+    return synthesised(paper_believed({"vehicle.primary.damping_n_s_per_m"}), {80.0 / 3.6}, 30.0,
+                       {"body", "bogie_1", "wheel_1"}, kSmall);
+}
 
 /// The truth, all of it too low by so many dB.
 Fit too_low(const Synthesised& made, double by_db) {
@@ -46,7 +49,8 @@ Squares of_draws(double by_db) {
     return mean;
 }
 
-constexpr double kLeftOfChance = 0.25;  ///< of both parts' own errors: bands of a draw are few and err together, and what is below zero counts as zero
+/// of both parts' own errors: bands of a draw are few and err together, and what is below zero counts as zero
+constexpr double kLeftOfChance = 0.25;
 
 // Half a minute leaves more to chance than 0.7 dB in either part.
 TEST(RepeatedLevels, AreNotThoseOfChance) {
@@ -55,13 +59,16 @@ TEST(RepeatedLevels, AreNotThoseOfChance) {
     EXPECT_LT(truth.repeated, kLeftOfChance * truth.parts);
 }
 
-// (2 + e₁)(2 + e₂) + (2 − e₁)(2 − e₂) = 8 + 2e₁e₂: of levels as much too low as too high nothing is left but what chance leaves at the truth.
+// (2 + e₁)(2 + e₂) + (2 − e₁)(2 − e₂) = 8 + 2e₁e₂: of levels as much too low as too high nothing is left but what
+// chance leaves at the truth.
 TEST(RepeatedLevels, AreThoseThatAreOff) {
     const Squares low = of_draws(2.0), high = of_draws(-2.0);
     EXPECT_NEAR(0.5 * (low.repeated + high.repeated), 4.0, kLeftOfChance * of_draws(0.0).parts);
 }
 
-TEST(RepeatedLevels, AreNoneWithoutTimeSeries) { EXPECT_EQ(repeated_level_db({}, {}), 0.0); }
+TEST(RepeatedLevels, AreNoneWithoutTimeSeries) {
+    EXPECT_EQ(repeated_level_db({}, {}), 0.0);
+}
 
 }  // namespace
 }  // namespace railpem::diagnosis

@@ -1,6 +1,6 @@
 // Misfit that the unseen part repeats: nothing under the truth, and what the likelihood loses under something else.
 
-#include "diagnosis/repeated_misfit.hpp"
+#include "diagnosis/likelihood/repeated_misfit.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,10 @@ namespace {
 
 constexpr int kMisfitDraws = 24;
 
-Synthesised two_speeds() { return synthesised(paper_believed({"vehicle.primary.damping_n_s_per_m"}), {15.0, 80.0 / 3.6}, 60.0, {"body", "bogie_1", "wheel_1"}, kSmall); }
+Synthesised two_speeds() {
+    return synthesised(paper_believed({"vehicle.primary.damping_n_s_per_m"}), {15.0, 80.0 / 3.6}, 60.0,
+                       {"body", "bogie_1", "wheel_1"}, kSmall);
+}
 
 TEST(RepeatedMisfit, IsNothingUnderTheTruth) {
     Synthesised made = two_speeds();
@@ -25,9 +28,11 @@ TEST(RepeatedMisfit, IsNothingUnderTheTruth) {
         sum += own;
         squares += own * own;
     }
-    EXPECT_LT(std::abs(sum) / kMisfitDraws, 3.0 / std::sqrt(kMisfitDraws));      // of the mean of so many standard deviates
-    EXPECT_LT(squares / kMisfitDraws, 1.0 + 3.0 * std::sqrt(2.0 / kMisfitDraws));  // the deviation is no smaller than the scatter
-    EXPECT_GT(squares / kMisfitDraws, 0.3);                                  // and not more than twice as large
+    // of the mean of so many standard deviates
+    EXPECT_LT(std::abs(sum) / kMisfitDraws, 3.0 / std::sqrt(kMisfitDraws));
+    // the deviation is no smaller than the scatter
+    EXPECT_LT(squares / kMisfitDraws, 1.0 + 3.0 * std::sqrt(2.0 / kMisfitDraws));
+    EXPECT_GT(squares / kMisfitDraws, 0.3);  // and not more than twice as large
 }
 
 TEST(RepeatedMisfit, IsWhatTheLikelihoodLoses) {

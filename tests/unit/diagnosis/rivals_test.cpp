@@ -1,6 +1,6 @@
 // Rivals of sets whose evidences are given.
 
-#include "diagnosis/rivals.hpp"
+#include "diagnosis/findings/rivals.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,8 @@ namespace railpem::diagnosis {
 namespace {
 
 FittedSet friction_beside_a_gain() {
-    const EffectInstance friction{.effect = "suspension-friction", .values = {{"force_n", 900.0}}, .choices = {{"stage", "primary"}}};
+    const EffectInstance friction{
+        .effect = "suspension-friction", .values = {{"force_n", 900.0}}, .choices = {{"stage", "primary"}}};
     const EffectInstance gain{.effect = "sensor-gain", .values = {{"gain", 1.1}}, .choices = {{"channel", "bogie_1"}}};
     FittedSet set;
     set.effects = {{.instance = friction}, {.instance = gain}};
@@ -27,8 +28,15 @@ std::vector<Rival> rivals_where(const FrictionLaw& law) {
     const BelievedCase believed;
     const std::vector<Observation> observations;
     const LikelihoodContext context{.believed = &believed, .observations = &observations};
-    return rivals_of({.believed = believed, .observations = observations, .context = context, .thresholds = thresholds, .naming = naming, .study = study, .decision = decision,
-                      .retuned = naming.retuned, .named = naming.sets.front()});
+    return rivals_of({.believed = believed,
+                      .observations = observations,
+                      .context = context,
+                      .thresholds = thresholds,
+                      .naming = naming,
+                      .study = study,
+                      .decision = decision,
+                      .retuned = naming.retuned,
+                      .named = naming.sets.front()});
 }
 
 TEST(Rivals, SayWhatTheyGainOnTheUnseen) {
@@ -43,14 +51,23 @@ TEST(Rivals, SayWhatTheyGainOnTheUnseen) {
     const BelievedCase believed;
     const std::vector<Observation> observations;
     const LikelihoodContext context{.believed = &believed, .observations = &observations};
-    const std::vector<Rival> rivals = rivals_of({.believed = believed, .observations = observations, .context = context, .thresholds = thresholds, .naming = naming, .study = study, .decision = decision,
-                                                 .retuned = naming.retuned, .named = naming.sets.front()});
+    const std::vector<Rival> rivals = rivals_of({.believed = believed,
+                                                 .observations = observations,
+                                                 .context = context,
+                                                 .thresholds = thresholds,
+                                                 .naming = naming,
+                                                 .study = study,
+                                                 .decision = decision,
+                                                 .retuned = naming.retuned,
+                                                 .named = naming.sets.front()});
     ASSERT_EQ(rivals.size(), 1u);
     EXPECT_EQ(rivals.front().nats_behind, 900.0);
     EXPECT_EQ(rivals.front().nats_held_out, 25.0);
 }
 
-TEST(Rivals, AreNoneBesideAFrictionThatIsConstant) { EXPECT_TRUE(rivals_where({1.1, 0.015, 1.1}).empty()); }
+TEST(Rivals, AreNoneBesideAFrictionThatIsConstant) {
+    EXPECT_TRUE(rivals_where({1.1, 0.015, 1.1}).empty());
+}
 
 TEST(Rivals, OfAFrictionThatMayBeAnotherAreBothLaws) {
     const std::vector<Rival> rivals = rivals_where({1.1, 0.3, 1.1});
@@ -64,7 +81,9 @@ TEST(Rivals, OfAFrictionThatMayBeAnotherAreBothLaws) {
     EXPECT_EQ(rivals[1].instances[0].choices.at("stage"), "primary");
     EXPECT_TRUE(rivals[1].instances[0].values.empty()) << "its force is not known by the law of another";
     EXPECT_EQ(rivals[1].instances[1].effect, "sensor-gain");
-    for (const Rival& rival : rivals) EXPECT_EQ(rival.would_separate, "a test of the damper alone") << "there is no recording here that another could stand beside";
+    for (const Rival& rival : rivals)
+        EXPECT_EQ(rival.would_separate, "a test of the damper alone")
+            << "there is no recording here that another could stand beside";
 }
 
 }  // namespace

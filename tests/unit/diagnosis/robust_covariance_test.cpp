@@ -1,6 +1,7 @@
-// How much wider the numbers' deviations are than those of an exact model, on recordings drawn from the case itself and from another.
+// How much wider the numbers' deviations are than those of an exact model, on recordings drawn from the case itself and
+// from another.
 
-#include "diagnosis/robust_covariance.hpp"
+#include "diagnosis/fit/robust_covariance.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,11 +13,13 @@
 namespace railpem::diagnosis {
 namespace {
 
-const std::vector<std::string> kNumbers = {"vehicle.body_mass_kg", "vehicle.bogie_mass_kg", "vehicle.secondary.stiffness_n_per_m", "vehicle.secondary.damping_n_s_per_m",
+const std::vector<std::string> kNumbers = {"vehicle.body_mass_kg", "vehicle.bogie_mass_kg",
+                                           "vehicle.secondary.stiffness_n_per_m", "vehicle.secondary.damping_n_s_per_m",
                                            "vehicle.primary.stiffness_n_per_m"};
 
 Synthesised three_speeds() {
-    return synthesised(paper_believed(kNumbers), {15.0, 22.2, 33.0}, 60.0, {"body_front", "body_rear", "bogie_1", "wheel_1", "wheel_2"},
+    return synthesised(paper_believed(kNumbers), {15.0, 22.2, 33.0}, 60.0,
+                       {"body_front", "body_rear", "bogie_1", "wheel_1", "wheel_2"},
                        {.window_s = 2.0, .low_hz = 2.0, .high_hz = 60.0});
 }
 
@@ -36,8 +39,8 @@ std::vector<double> widening(const Synthesised& made) {
     return ratios;
 }
 
-// 3 × 15 third octaves know the scatter's deviation to a tenth (√(1/2·45)); of ratios that are that far off and never below 1 the mean is 1.04, and 1.2 is
-// four deviations of the mean of fifteen, were they independent.
+// 3 × 15 third octaves know the scatter's deviation to a tenth (√(1/2·45)); of ratios that are that far off and never
+// below 1 the mean is 1.04, and 1.2 is four deviations of the mean of fifteen, were they independent.
 TEST(RobustCovariance, IsThatOfTheFitWhereTheModelIsRight) {
     double sum = 0.0;
     for (const std::uint64_t seed : {1, 2, 3}) {
@@ -54,7 +57,10 @@ TEST(RobustCovariance, IsThatOfTheFitWhereTheModelIsRight) {
 // A body that bends: bands beside the mode pull its mass and the springs under it to other values than the rest.
 TEST(RobustCovariance, IsWiderWhereBandsDisagree) {
     Synthesised made = three_speeds();
-    made.truth.effects.push_back({.effect = "body-bending", .values = {{"frequency_hz", 9.5}, {"damping_ratio", 0.02}, {"modal_mass_kg", 8e3}, {"shape_at_pivots", -0.3}}, .choices = {}});
+    made.truth.effects.push_back(
+        {.effect = "body-bending",
+         .values = {{"frequency_hz", 9.5}, {"damping_ratio", 0.02}, {"modal_mass_kg", 8e3}, {"shape_at_pivots", -0.3}},
+         .choices = {}});
     made.draw(4);
     EXPECT_GT(widening(made)[2], 2.0);
 }
@@ -72,10 +78,12 @@ TEST(RobustCovariance, KnowsWhatALawGetsWrong) {
     for (const Unknown& unknown : effect_unknowns(preload, 0)) unknowns.push_back(unknown), start.push_back(0.8);
     const Fit own = fit(trial, unknowns, start, made.context());
     const long u = static_cast<long>(unknowns.size()) - 1;
-    const double strength = own.values.back(), law = find_effect("pad-preload-stiffening")->parameters.front().inexact * strength;
+    const double strength = own.values.back(),
+                 law = find_effect("pad-preload-stiffening")->parameters.front().inexact * strength;
     const double deviation = std::sqrt(robust_covariance(own, made.context())(u, u));
     EXPECT_GE(deviation, std::hypot(own.deviation(static_cast<std::size_t>(u)), law) * (1.0 - 1e-9));
-    EXPECT_LE(deviation, std::hypot(2.0 * own.deviation(static_cast<std::size_t>(u)), law));  // bands disagree by chance only
+    // bands disagree by chance only
+    EXPECT_LE(deviation, std::hypot(2.0 * own.deviation(static_cast<std::size_t>(u)), law));
 }
 
 }  // namespace

@@ -1,14 +1,14 @@
 // The simulator hides the same physics that the library names: it keeps a list of its own, because it may not know the
-// diagnosis. Every effect of the library exists there with the same parameters, and makes the same case; laws that only differ
-// by frequency are those that it marches, the ends of their range (rail dampers have dashpots).
+// diagnosis. Every effect of the library exists there with the same parameters, and makes the same case; laws that only
+// differ by frequency are those that it marches, the ends of their range (rail dampers have dashpots).
 
 #include <gtest/gtest.h>
 
 #include <fmt/format.h>
 
-#include "app/case_schema.hpp"
-#include "app/effect_tables.hpp"
-#include "simulate/hidden_effects.hpp"
+#include "app/schema/case_schema.hpp"
+#include "app/schema/effect_tables.hpp"
+#include "simulate/effects/hidden_effects.hpp"
 #include "tests/unit/diagnosis/effect_fixtures.hpp"
 
 namespace railpem::diagnosis {
@@ -20,7 +20,8 @@ std::string hide_option(const Effect& effect, const EffectInstance& instance) {
     for (const auto& [name, value] : instance.choices)
         text += fmt::format("{}{}={}", text == effect.id ? ':' : ',', name, value);
     for (const EffectParameter& parameter : effect.parameters)
-        if (!parameter.law) text += fmt::format("{}{}={}", text == effect.id ? ':' : ',', parameter.name, parameter.typical);
+        if (!parameter.law)
+            text += fmt::format("{}{}={}", text == effect.id ? ':' : ',', parameter.name, parameter.typical);
     return text;
 }
 

@@ -4,17 +4,19 @@
 #include <cmath>
 #include <random>
 
-#include "app/case_schema.hpp"
-#include "app/diagnosis_inputs.hpp"
+#include "app/schema/case_schema.hpp"
+#include "app/schema/diagnosis_inputs.hpp"
 #include "diagnosis/diagnose.hpp"
-#include "diagnosis/observe_scalars.hpp"
-#include "pem/solution.hpp"
-#include "pem/track_response.hpp"
+#include "diagnosis/observations/observe_scalars.hpp"
+#include "pem/coupling/solution.hpp"
+#include "pem/coupling/track_response.hpp"
 #include "spectra/third_octaves.hpp"
 
 namespace railpem::diagnosis {
 
-inline BelievedCase believed_file(const std::string& path) { return app::believed_case(app::read_case(std::string(RAILPEM_SOURCE_DIR) + "/" + path, {})); }
+inline BelievedCase believed_file(const std::string& path) {
+    return app::believed_case(app::read_case(std::string(RAILPEM_SOURCE_DIR) + "/" + path, {}));
+}
 
 /// Decay rates in third-octaves from 100 to 4000 Hz, each off by a factor of 1 ± `error` (Gaussian in the logarithm).
 inline recordings::Recording decay_recording(const pem::CaseParameters& truth, double error, unsigned seed) {
@@ -39,8 +41,10 @@ inline recordings::Recording receptance_recording(const pem::CaseParameters& tru
     recording.receptance.frequency_hz = pem::geometric_lines(30.0, 2000.0, 150);
     std::mt19937_64 random(seed);
     std::normal_distribution<double> normal(0.0, error);
-    for (const std::complex<double> value : pem::track_response(truth, recording.receptance.frequency_hz, false, 2).over_pad)
-        recording.receptance.value_m_per_n.push_back(value * std::exp(std::complex<double>(normal(random), normal(random))));
+    for (const std::complex<double> value :
+         pem::track_response(truth, recording.receptance.frequency_hz, false, 2).over_pad)
+        recording.receptance.value_m_per_n.push_back(value *
+                                                     std::exp(std::complex<double>(normal(random), normal(random))));
     return recording;
 }
 
@@ -73,7 +77,8 @@ inline recordings::Recording psd_recording(pem::CaseParameters truth, int averag
 inline Diagnosis diagnosed(const BelievedCase& believed, const std::vector<recordings::Recording>& recordings) {
     std::vector<Observation> observations;
     for (std::size_t i = 0; i < recordings.size(); ++i)
-        observations.push_back(observe_scalars(recordings[i], "recording " + std::to_string(i + 1), believed.numbers, {}));
+        observations.push_back(
+            observe_scalars(recordings[i], "recording " + std::to_string(i + 1), believed.numbers, {}));
     return diagnose(believed, observations, {.threads = 2});
 }
 

@@ -1,4 +1,4 @@
-#include "diagnosis/split_matrix.hpp"
+#include "diagnosis/likelihood/split_matrix.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,20 +11,23 @@
 namespace railpem::diagnosis {
 namespace {
 
-// Against Eigen, whose matrices are interleaved and not padded. Matrices are conditioned no worse than 1e4, rounding 1e-16: what is left is below 1e-11.
+// Against Eigen, whose matrices are interleaved and not padded. Matrices are conditioned no worse than 1e4, rounding
+// 1e-16: what is left is below 1e-11.
 constexpr double kRounding = 1e-11;
 
 class SplitMatrices : public testing::TestWithParam<int> {
   protected:
     Eigen::MatrixXcd hermitian() {
-        const Eigen::MatrixXcd root = Eigen::MatrixXcd::NullaryExpr(GetParam(), GetParam(), [&] { return std::complex(normal_(random_), normal_(random_)); });
+        const Eigen::MatrixXcd root = Eigen::MatrixXcd::NullaryExpr(
+            GetParam(), GetParam(), [&] { return std::complex(normal_(random_), normal_(random_)); });
         return root * root.adjoint() + 0.1 * Eigen::MatrixXcd::Identity(GetParam(), GetParam());
     }
     static SplitMatrix split(const Eigen::MatrixXcd& matrix) {
         SplitMatrix result;
         set_zero(result, static_cast<std::size_t>(matrix.rows()));
         for (long j = 0; j < matrix.cols(); ++j)
-            for (long i = 0; i < matrix.rows(); ++i) result.re[j][i] = matrix(i, j).real(), result.im[j][i] = matrix(i, j).imag();
+            for (long i = 0; i < matrix.rows(); ++i)
+                result.re[j][i] = matrix(i, j).real(), result.im[j][i] = matrix(i, j).imag();
         return result;
     }
     static Eigen::MatrixXcd lower(const SplitMatrix& split) {
@@ -56,7 +59,8 @@ TEST_P(SplitMatrices, InverseFactorAndDeterminantAreThoseOfEigen) {
     EXPECT_EQ(log_determinant(again, size()), own);
 }
 
-// Pivots are multiplied before their logarithm is taken: sixteen of 1e-40 are nothing in a double, and of 1e40 infinite.
+// Pivots are multiplied before their logarithm is taken: sixteen of 1e-40 are nothing in a double, and of 1e40
+// infinite.
 TEST_P(SplitMatrices, DeterminantsMayBeTinyOrHuge) {
     const Eigen::MatrixXcd model = hermitian();
     SplitMatrix given = split(model);

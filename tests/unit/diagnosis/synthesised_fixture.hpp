@@ -3,8 +3,8 @@
 
 #include <map>
 
-#include "diagnosis/fit.hpp"
-#include "diagnosis/synthesis.hpp"
+#include "diagnosis/fit/fit.hpp"
+#include "diagnosis/fit/synthesis.hpp"
 #include "parameters/parameter_error.hpp"
 #include "pem/contact.hpp"
 #include "tests/verification/pem/paper_case.hpp"
@@ -49,12 +49,15 @@ inline BelievedCase paper_believed(const std::vector<std::string>& uncertain) {
     if (numbers.contact.constant_m_per_n23 == 0.0)
         numbers.contact.constant_m_per_n23 = pem::contact_constant(numbers.contact, numbers.vehicle.wheel_radius_m);
     believed.access = {
-        .get = [](const pem::CaseParameters& c, const std::string& key) { return number_at(const_cast<pem::CaseParameters&>(c), key); },
+        .get = [](const pem::CaseParameters& c,
+                  const std::string& key) { return number_at(const_cast<pem::CaseParameters&>(c), key); },
         .set = [](pem::CaseParameters& c, const std::string& key, double value) { number_at(c, key) = value; },
         .keys = uncertain};
     for (const std::string& key : uncertain)
-        believed.uncertain.push_back(
-            {.key = key, .value = number_at(numbers, key), .tolerance = tolerance_of(key), .element = element_of_key(key)});
+        believed.uncertain.push_back({.key = key,
+                                      .value = number_at(numbers, key),
+                                      .tolerance = tolerance_of(key),
+                                      .element = element_of_key(key)});
     return believed;
 }
 
@@ -70,11 +73,13 @@ struct Synthesised {
     Trial truth;
 
     LikelihoodContext context(Part part = Part::fitted, int threads = 1) const {
-        return {.believed = &believed, .observations = &observations, .part = part, .least_floor = 0.0, .threads = threads};
+        return {
+            .believed = &believed, .observations = &observations, .part = part, .least_floor = 0.0, .threads = threads};
     }
     void draw(std::uint64_t seed) {
         observations.clear();
-        for (std::size_t o = 0; o < shapes.size(); ++o) observations.push_back(synthesise(shapes[o], o, truth, believed, seed));
+        for (std::size_t o = 0; o < shapes.size(); ++o)
+            observations.push_back(synthesise(shapes[o], o, truth, believed, seed));
     }
 };
 
@@ -104,7 +109,8 @@ inline Fit fitted_with(const Synthesised& made, const std::vector<EffectInstance
         for (const Unknown& unknown : effect_unknowns(instance, static_cast<int>(trial.effects.size()))) {
             const EffectParameter& parameter = *parameter_of(unknown);
             unknowns.push_back(unknown);
-            start.push_back(to_coordinate(parameter, value_of(*find_effect(instance.effect), instance, parameter.name)));
+            start.push_back(
+                to_coordinate(parameter, value_of(*find_effect(instance.effect), instance, parameter.name)));
         }
         trial.effects.push_back(instance);
     }
@@ -112,6 +118,8 @@ inline Fit fitted_with(const Synthesised& made, const std::vector<EffectInstance
 }
 
 /// The same of one.
-inline Fit fitted_with(const Synthesised& made, const EffectInstance& instance) { return fitted_with(made, std::vector<EffectInstance>{instance}); }
+inline Fit fitted_with(const Synthesised& made, const EffectInstance& instance) {
+    return fitted_with(made, std::vector<EffectInstance>{instance});
+}
 
 }  // namespace railpem::diagnosis

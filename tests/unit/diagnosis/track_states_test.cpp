@@ -1,13 +1,14 @@
-// A later state of a track against the case that was fitted to an earlier one: several recordings, whole ones held out, and what the case could not say then is not taken for news. The levels come from
-// the solver on another grid than the prediction uses.
+// A later state of a track against the case that was fitted to an earlier one: several recordings, whole ones held out,
+// and what the case could not say then is not taken for news. The levels come from the solver on another grid than the
+// prediction uses.
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "diagnosis/decay_rate_reference.hpp"
-#include "diagnosis/hold_out_recordings.hpp"
-#include "diagnosis/predict_scalars.hpp"
+#include "diagnosis/findings/decay_rate_reference.hpp"
+#include "diagnosis/likelihood/hold_out_recordings.hpp"
+#include "diagnosis/model/predict_scalars.hpp"
 #include "scalar_recordings.hpp"
 
 namespace railpem::diagnosis {
@@ -17,7 +18,9 @@ constexpr const char* kSection = "cases/ballasted/uic60.toml";
 constexpr double kDayError = 0.1;
 
 /// What no beam on springs says of this track: up to a third more and less, from one third-octave to the next but one.
-double unsaid(double frequency_hz) { return std::exp(0.3 * std::sin(7.0 * std::log(frequency_hz))); }
+double unsaid(double frequency_hz) {
+    return std::exp(0.3 * std::sin(7.0 * std::log(frequency_hz)));
+}
 
 recordings::Recording day(const pem::CaseParameters& truth, unsigned seed) {
     recordings::Recording recording = decay_recording(truth, kDayError, seed);
@@ -28,10 +31,12 @@ recordings::Recording day(const pem::CaseParameters& truth, unsigned seed) {
     return recording;
 }
 
-std::vector<Observation> days(const pem::CaseParameters& truth, const BelievedCase& believed, unsigned seed, int count) {
+std::vector<Observation> days(const pem::CaseParameters& truth, const BelievedCase& believed, unsigned seed,
+                              int count) {
     std::vector<Observation> observations;
     for (int i = 0; i < count; ++i)
-        observations.push_back(observe_scalars(day(truth, seed + static_cast<unsigned>(i)), "day " + std::to_string(i + 1), believed.numbers, {}));
+        observations.push_back(observe_scalars(day(truth, seed + static_cast<unsigned>(i)),
+                                               "day " + std::to_string(i + 1), believed.numbers, {}));
     hold_out_recordings(observations);
     return observations;
 }
@@ -52,7 +57,9 @@ TEST(HoldOutRecordings, WholeOnesAndOneDiscrepancy) {
             EXPECT_EQ(value.sharing, o == 3 ? 1.0 : 3.0);
         }
     const std::vector<Unknown> unknowns = nuisance_unknowns(track, observations);
-    EXPECT_EQ(std::count_if(unknowns.begin(), unknowns.end(), [](const Unknown& own) { return own.kind == UnknownKind::discrepancy; }), 1);
+    EXPECT_EQ(std::count_if(unknowns.begin(), unknowns.end(),
+                            [](const Unknown& own) { return own.kind == UnknownKind::discrepancy; }),
+              1);
 }
 
 TEST(HoldOutRecordings, OneAloneKeepsItsBands) {
@@ -68,8 +75,11 @@ TEST(DecayRateReference, IsWhatTheFittedCaseLeaves) {
     const BelievedCase track = believed_file(kSection);
     const BelievedCase later = fitted(track);
     const std::vector<Observation> observations = days(track.numbers, later, 11, 1);
-    // Predictions are logarithms of predicted by recorded: with the reference only the errors of three days are left, kDayError·√(1 + 1/2), and four of those are rare among seventeen.
-    for (const std::complex<double> left : predict_scalars(later.numbers, 0.0, observations[0], nullptr, Reuse::nothing, nullptr)) EXPECT_LT(std::abs(left.real()), 4.0 * 1.23 * kDayError);
+    // Predictions are logarithms of predicted by recorded: with the reference only the errors of three days are left,
+    // kDayError·√(1 + 1/2), and four of those are rare among seventeen.
+    for (const std::complex<double> left :
+         predict_scalars(later.numbers, 0.0, observations[0], nullptr, Reuse::nothing, nullptr))
+        EXPECT_LT(std::abs(left.real()), 4.0 * 1.23 * kDayError);
     EXPECT_NEAR(observations[0].scalar->values[0].shared_deviation, kDayError / std::sqrt(2.0), 0.2 * kDayError);
 }
 
@@ -91,7 +101,8 @@ TEST(TrackStates, DampersOfTwoMassesAreNamed) {
     std::vector<double> frequencies;
     for (const NamedEffect& own : diagnosis.omitted)
         for (const FittedParameter& parameter : own.parameters)
-            if (own.instance.effect == "rail-damper" && parameter.name == "frequency_hz") frequencies.push_back(parameter.value);
+            if (own.instance.effect == "rail-damper" && parameter.name == "frequency_hz")
+                frequencies.push_back(parameter.value);
     std::sort(frequencies.begin(), frequencies.end());
     ASSERT_EQ(frequencies.size(), 2u) << diagnosis.statement;
     EXPECT_NEAR(frequencies[0], 630.0, 0.15 * 630.0);  // a third-octave is ±12 %

@@ -1,6 +1,6 @@
 // Beliefs that sets give up, held against cases that keep them, with evidences that are given.
 
-#include "diagnosis/verdict.hpp"
+#include "diagnosis/judge/verdict.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,8 @@
 namespace railpem::diagnosis {
 namespace {
 
-// Of a track 8 dB smoother the unseen part was 1.9 nats less probable than after retuning, which had gone there, too, and it was `explained`: the rival is the case that keeps its beliefs.
+// Of a track 8 dB smoother the unseen part was 1.9 nats less probable than after retuning, which had gone there, too,
+// and it was `explained`: the rival is the case that keeps its beliefs.
 TEST(WeighedAlready, AreBeliefsThatRetuningHasLeft) {
     const auto asks = [](const FittedSet& set, double unseen_share = 1.0 / 3.0) {
         NamingResult naming = given_naming({set});
@@ -45,9 +46,12 @@ std::optional<FittedSet> behind(const FittedSet& set, double nats) {
 }
 
 TEST(UnfoundedBeliefs, AreDroppedAndTheNextIsAsked) {
-    NamingResult naming = given_naming({given_set({"irregularity-spectrum"}, {}, 20.0, -1.0), given_set({}, {"vehicle.bogie_mass_kg"}, 18.0, 0.5), given_set({"rail-shear"}, {}, 17.0, 5.0)});
+    NamingResult naming =
+        given_naming({given_set({"irregularity-spectrum"}, {}, 20.0, -1.0),
+                      given_set({}, {"vehicle.bogie_mass_kg"}, 18.0, 0.5), given_set({"rail-shear"}, {}, 17.0, 5.0)});
     naming.unseen_share = 1.0 / 3.0;
-    const HeldBeliefs held = drop_unfounded_beliefs(naming, thresholds, [](const FittedSet& set) { return behind(set, set.released.empty() ? -0.1 : 50.0); });
+    const HeldBeliefs held = drop_unfounded_beliefs(
+        naming, thresholds, [](const FittedSet& set) { return behind(set, set.released.empty() ? -0.1 : 50.0); });
     ASSERT_EQ(naming.sets.size(), 2u);
     EXPECT_EQ(labels_of(naming.sets.front()), std::vector<std::string>{"parameter-error"});
     EXPECT_EQ(held.unfounded, std::vector<std::string>{"irregularity-spectrum"});
@@ -59,9 +63,11 @@ TEST(UnfoundedBeliefs, AreDroppedAndTheNextIsAsked) {
 
 TEST(UnfoundedBeliefs, DoNotStandBesideAName) {
     const auto left = [](double score) {
-        NamingResult naming = given_naming({given_set({"rail-shear"}, {}, 20.0, 5.0), given_set({"irregularity-spectrum"}, {}, score, 0.0)});
+        NamingResult naming = given_naming(
+            {given_set({"rail-shear"}, {}, 20.0, 5.0), given_set({"irregularity-spectrum"}, {}, score, 0.0)});
         naming.unseen_share = 1.0 / 3.0;
-        const HeldBeliefs held = drop_unfounded_beliefs(naming, thresholds, [](const FittedSet&) { return std::nullopt; });
+        const HeldBeliefs held =
+            drop_unfounded_beliefs(naming, thresholds, [](const FittedSet&) { return std::nullopt; });
         EXPECT_FALSE(held.of_best.has_value()) << "physics is held against retuning";
         return naming.sets.size();
     };
@@ -73,7 +79,9 @@ TEST(UnfoundedBeliefs, NothingIsAskedOfWhatRetuningDidNotReach) {
     NamingResult naming = given_naming({given_set({}, {"vehicle.bogie_mass_kg"}, 200.0, 60.0)});
     naming.unseen_share = 1.0 / 3.0;
     int asked = 0;
-    EXPECT_FALSE(drop_unfounded_beliefs(naming, thresholds, [&](const FittedSet& set) { return ++asked, behind(set, 1.0); }).of_best.has_value());
+    EXPECT_FALSE(drop_unfounded_beliefs(naming, thresholds, [&](const FittedSet& set) {
+                     return ++asked, behind(set, 1.0);
+                 }).of_best.has_value());
     EXPECT_EQ(asked, 0);
     EXPECT_EQ(naming.sets.size(), 1u);
 }

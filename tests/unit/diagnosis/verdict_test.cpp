@@ -1,6 +1,6 @@
 // Decisions over sets whose evidences are given.
 
-#include "diagnosis/verdict.hpp"
+#include "diagnosis/judge/verdict.hpp"
 
 #include <gtest/gtest.h>
 
@@ -17,34 +17,51 @@ TEST(Decide, NamesWhatGains) {
 }
 
 TEST(Decide, SaysNothingIsMissingBelowTheLeastGain) {
-    EXPECT_EQ(decide(given_naming({given_set({"rail-shear"}, {}, 4.9, 10.0)}), {}, thresholds).verdict, Verdict::consistent);
-    EXPECT_EQ(decide(given_naming({given_set({"rail-shear"}, {}, 100.0, -0.1)}), {}, thresholds).verdict, Verdict::consistent);
-    EXPECT_EQ(decide(given_naming({given_set({}, {"vehicle.body_mass_kg"}, 100.0, -1.0)}), {}, thresholds).verdict, Verdict::explained);
+    EXPECT_EQ(decide(given_naming({given_set({"rail-shear"}, {}, 4.9, 10.0)}), {}, thresholds).verdict,
+              Verdict::consistent);
+    EXPECT_EQ(decide(given_naming({given_set({"rail-shear"}, {}, 100.0, -0.1)}), {}, thresholds).verdict,
+              Verdict::consistent);
+    EXPECT_EQ(decide(given_naming({given_set({}, {"vehicle.body_mass_kg"}, 100.0, -1.0)}), {}, thresholds).verdict,
+              Verdict::explained);
 }
 
-// A number 3.7 tolerances off has 1.5 nats with its prior, which of fourteen by chance one is in 300 cases; physics that nobody believed in has to bring more.
+// A number 3.7 tolerances off has 1.5 nats with its prior, which of fourteen by chance one is in 300 cases; physics
+// that nobody believed in has to bring more.
 TEST(Decide, NamesABeliefThatIsFurtherOffThanChance) {
-    EXPECT_EQ(decide(given_naming({given_set({}, {"vehicle.body_mass_kg"}, 1.6, 0.0)}), {}, thresholds).verdict, Verdict::explained);
-    EXPECT_EQ(decide(given_naming({given_set({}, {"vehicle.body_mass_kg"}, 1.4, 0.0)}), {}, thresholds).verdict, Verdict::consistent);
-    EXPECT_EQ(decide(given_naming({given_set({"sleeper-passing"}, {}, 1.6, 0.0)}), {}, thresholds).verdict, Verdict::explained);
-    EXPECT_EQ(decide(given_naming({given_set({"rail-shear"}, {}, 1.6, 0.0)}), {}, thresholds).verdict, Verdict::consistent);
-    EXPECT_EQ(decide(given_naming({given_set({"rail-shear"}, {"vehicle.body_mass_kg"}, 4.9, 0.0)}), {}, thresholds).verdict, Verdict::consistent);
+    EXPECT_EQ(decide(given_naming({given_set({}, {"vehicle.body_mass_kg"}, 1.6, 0.0)}), {}, thresholds).verdict,
+              Verdict::explained);
+    EXPECT_EQ(decide(given_naming({given_set({}, {"vehicle.body_mass_kg"}, 1.4, 0.0)}), {}, thresholds).verdict,
+              Verdict::consistent);
+    EXPECT_EQ(decide(given_naming({given_set({"sleeper-passing"}, {}, 1.6, 0.0)}), {}, thresholds).verdict,
+              Verdict::explained);
+    EXPECT_EQ(decide(given_naming({given_set({"rail-shear"}, {}, 1.6, 0.0)}), {}, thresholds).verdict,
+              Verdict::consistent);
+    EXPECT_EQ(
+        decide(given_naming({given_set({"rail-shear"}, {"vehicle.body_mass_kg"}, 4.9, 0.0)}), {}, thresholds).verdict,
+        Verdict::consistent);
 }
 
 // Both numbers may be it; an effect that explains less than its own freedom costs may not.
 TEST(Decide, LeavesOnlyThatTogetherWhichExplainsSomething) {
-    const auto verdict_beside = [](const FittedSet& other) { return decide(given_naming({given_set({}, {"vehicle.body_mass_kg"}, 2.5, 0.0), other}), {}, thresholds).verdict; };
+    const auto verdict_beside = [](const FittedSet& other) {
+        return decide(given_naming({given_set({}, {"vehicle.body_mass_kg"}, 2.5, 0.0), other}), {}, thresholds).verdict;
+    };
     EXPECT_EQ(verdict_beside(given_set({}, {"vehicle.bogie_mass_kg"}, 1.6, 0.0)), Verdict::ambiguous);
     EXPECT_EQ(verdict_beside(given_set({"rail-shear"}, {}, 2.0, 0.0)), Verdict::ambiguous);
     EXPECT_EQ(verdict_beside(given_set({"rail-shear"}, {}, -1.0, 0.0)), Verdict::explained);
 }
 
 TEST(Decide, DoesNotNamePhysicsBeyondItsRange) {
-    EXPECT_EQ(decide(given_naming({leaning_set(given_set({"body-bending"}, {}, 100.0, 10.0), 3.0)}), {}, thresholds).verdict, Verdict::unexplained);
-    EXPECT_EQ(decide(given_naming({leaning_set(given_set({"body-bending"}, {}, 100.0, 10.0), 1.0)}), {}, thresholds).verdict, Verdict::explained);
+    EXPECT_EQ(
+        decide(given_naming({leaning_set(given_set({"body-bending"}, {}, 100.0, 10.0), 3.0)}), {}, thresholds).verdict,
+        Verdict::unexplained);
+    EXPECT_EQ(
+        decide(given_naming({leaning_set(given_set({"body-bending"}, {}, 100.0, 10.0), 1.0)}), {}, thresholds).verdict,
+        Verdict::explained);
 }
 
-// Fasteners that carry nothing lie on the end of their range, and what their mean receptance leaves drives them beyond: up to 3 % of what they explain. A law that is exact has no such excuse.
+// Fasteners that carry nothing lie on the end of their range, and what their mean receptance leaves drives them beyond:
+// up to 3 % of what they explain. A law that is exact has no such excuse.
 TEST(Decide, ForgivesAnApproximationAtTheEndOfItsRange) {
     const auto fasteners = [](double nats) {
         FittedSet set = leaning_set(given_set({"failed-fasteners"}, {}, 1000.0, 100.0), nats);
@@ -72,7 +89,9 @@ TEST(Decide, NamesBesideAnUnknownOnlyWhatStandsBesideIt) {
 }
 
 TEST(Decide, LeavesEqualsTogether) {
-    const NamingResult naming = given_naming({given_set({"rail-shear"}, {}, 100.0, 10.0), given_set({"body-bending"}, {}, 97.0, 10.0), given_set({"body-bending"}, {}, 95.0, 10.0)});
+    const NamingResult naming =
+        given_naming({given_set({"rail-shear"}, {}, 100.0, 10.0), given_set({"body-bending"}, {}, 97.0, 10.0),
+                      given_set({"body-bending"}, {}, 95.0, 10.0)});
     const Decision decision = decide(naming, {}, thresholds);
     EXPECT_EQ(decision.verdict, Verdict::ambiguous);
     EXPECT_EQ(decision.credible.size(), 2u);
@@ -88,7 +107,8 @@ TEST(Decide, WithholdsTheNameWhereMoreIsLeftThanChance) {
 }
 
 TEST(Decide, WithholdsTheNameWhereTheUnseenRepeatsMisfit) {
-    const NamingResult naming = given_naming({given_set({"wheelset-bending"}, {}, 1000.0, 100.0)}), linearised = given_naming({given_set({"suspension-friction"}, {}, 1000.0, 100.0)});
+    const NamingResult naming = given_naming({given_set({"wheelset-bending"}, {}, 1000.0, 100.0)}),
+                       linearised = given_naming({given_set({"suspension-friction"}, {}, 1000.0, 100.0)});
     EXPECT_EQ(decide(naming, {.by_named = 11.0}, thresholds).verdict, Verdict::explained);
     EXPECT_EQ(decide(naming, {.by_named = 13.0}, thresholds).verdict, Verdict::unexplained);
     EXPECT_EQ(decide(linearised, {.by_named = 240.0}, thresholds).verdict, Verdict::explained);
@@ -97,14 +117,17 @@ TEST(Decide, WithholdsTheNameWhereTheUnseenRepeatsMisfit) {
     EXPECT_EQ(decide(given_naming({}), {.by_retuned = 11.0}, thresholds).verdict, Verdict::consistent);
 }
 
-// A third of the record is unseen: of 60 nats 20 are expected there, with a deviation of 6. A marched null had 59 and 4.5.
-// Physics is the same at every speed: what only imitates it has another strength in each recording.
+// A third of the record is unseen: of 60 nats 20 are expected there, with a deviation of 6. A marched null had 59
+// and 4.5. Physics is the same at every speed: what only imitates it has another strength in each recording.
 TEST(Decide, WithholdsTheNameWhereRecordingsDisagreeAboutIt) {
-    for (const auto& [effect, nats, verdict] : {std::tuple("body-bending", 11.0, Verdict::explained), std::tuple("body-bending", 13.0, Verdict::unexplained),
-                                                std::tuple("rail-damper", 29.0, Verdict::explained), std::tuple("rail-damper", 31.0, Verdict::unexplained)}) {  // 3 % of a law that is an approximation
+    for (const auto& [effect, nats, verdict] :
+         {std::tuple("body-bending", 11.0, Verdict::explained), std::tuple("body-bending", 13.0, Verdict::unexplained),
+          // 3 % of a law that is an approximation
+          std::tuple("rail-damper", 29.0, Verdict::explained), std::tuple("rail-damper", 31.0, Verdict::unexplained)}) {
         PlaceStudy study;
         study.by_recording = {{.observation = {0, 1}, .value = {0.35, 0.4}, .nats = nats}};
-        EXPECT_EQ(decide(given_naming({given_set({effect}, {}, 1000.0, 300.0)}), study, thresholds).verdict, verdict) << effect << nats;
+        EXPECT_EQ(decide(given_naming({given_set({effect}, {}, 1000.0, 300.0)}), study, thresholds).verdict, verdict)
+            << effect << nats;
     }
 }
 
@@ -112,7 +135,8 @@ TEST(Decide, WithholdsTheNameWhereRecordingsDisagreeAboutIt) {
 TEST(Decide, AsksWhetherFrictionIsConstant) {
     const NamingResult naming = given_naming({given_set({"suspension-friction"}, {}, 1000.0, 300.0)});
     for (const auto& [power, deviation, verdict] :
-         {std::tuple(1.15, 0.02, Verdict::explained), std::tuple(1.5, 0.05, Verdict::unexplained), std::tuple(1.5, 0.2, Verdict::ambiguous), std::tuple(1.2, 0.3, Verdict::ambiguous)}) {
+         {std::tuple(1.15, 0.02, Verdict::explained), std::tuple(1.5, 0.05, Verdict::unexplained),
+          std::tuple(1.5, 0.2, Verdict::ambiguous), std::tuple(1.2, 0.3, Verdict::ambiguous)}) {
         PlaceStudy study;
         study.friction = FrictionLaw{power, deviation, 1.2};
         const Decision decision = decide(naming, study, thresholds);
@@ -135,30 +159,37 @@ TEST(Decide, NamesNothingThatTheUnseenDoesNotRepeat) {
     EXPECT_EQ(verdict_of(12000.0, 2000.0), Verdict::explained) << "an approximate law repeats half of what it promised";
     EXPECT_EQ(verdict_of(12000.0, 1000.0), Verdict::consistent);
     EXPECT_EQ(verdict_of(70.0, 5.2), Verdict::consistent);
-    EXPECT_EQ(verdict_of(70.0, 5.2, "sleeper-passing"), Verdict::explained) << "a belief: no place or distance was sought that chance could have offered";
+    EXPECT_EQ(verdict_of(70.0, 5.2, "sleeper-passing"), Verdict::explained)
+        << "a belief: no place or distance was sought that chance could have offered";
     EXPECT_EQ(verdict_of(70.0, 2.0, "sleeper-passing"), Verdict::consistent);
 }
 
 /// A set whose fit ends a number so many tolerances away from its belief.
 FittedSet bent(FittedSet set, double tolerances, double deviation = 0.05) {
-    set.fit.unknowns = {{.kind = UnknownKind::number, .name = "vehicle.bogie_mass_kg", .mean = 0.0, .deviation = deviation}};
+    set.fit.unknowns = {
+        {.kind = UnknownKind::number, .name = "vehicle.bogie_mass_kg", .mean = 0.0, .deviation = deviation}};
     set.fit.values = {tolerances * 0.05};
     return set;
 }
 
-// A play of the fastenings was explained by a nonlinear contact whose constant was 5.3 tolerances off. What failed fasteners leave bends numbers: 10.8 beside right ones, 12.9 and more beside three plays that they had a part in explaining.
+// A play of the fastenings was explained by a nonlinear contact whose constant was 5.3 tolerances off. What failed
+// fasteners leave bends numbers: 10.8 beside right ones, 12.9 and more beside three plays that they had a part in
+// explaining.
 TEST(Decide, NamesNothingThatNeedsWrongNumbers) {
     const auto verdict_of = [](const char* effect, double tolerances) {
         return decide(given_naming({bent(given_set({effect}, {}, 1000.0, 300.0), tolerances)}), {}, thresholds).verdict;
     };
-    for (const auto& [effect, right, wrong] : {std::tuple("rail-shear", 3.9, 5.3), std::tuple("contact-nonlinearity", 3.9, 5.3), std::tuple("failed-fasteners", 10.8, 12.9)})
+    for (const auto& [effect, right, wrong] :
+         {std::tuple("rail-shear", 3.9, 5.3), std::tuple("contact-nonlinearity", 3.9, 5.3),
+          std::tuple("failed-fasteners", 10.8, 12.9)})
         for (const double sign : {-1.0, 1.0}) {
             EXPECT_EQ(verdict_of(effect, sign * right), Verdict::explained) << effect;
             EXPECT_EQ(verdict_of(effect, sign * wrong), Verdict::unexplained) << effect;
         }
 }
 
-// Preload on the end of its range, with numbers that were far off, stood beside a play of the fastenings that explained more.
+// Preload on the end of its range, with numbers that were far off, stood beside a play of the fastenings that explained
+// more.
 TEST(Decide, NamesNothingBesideAnUnknownThatCannotBe) {
     const auto named = [](const FittedSet& set) {
         PlaceStudy study{.named_stands = true};
@@ -171,10 +202,12 @@ TEST(Decide, NamesNothingBesideAnUnknownThatCannotBe) {
     EXPECT_FALSE(named(leaning_set(given_set({"body-bending"}, {}, 1000.0, 300.0), 25.0)));
 }
 
-// The most that right names left in full runs was 1.3 dB, fasteners in the place of a play left 1.6 and more. Friction is linearised about a level, and right with 3.6 dB.
+// The most that right names left in full runs was 1.3 dB, fasteners in the place of a play left 1.6 and more. Friction
+// is linearised about a level, and right with 3.6 dB.
 TEST(Decide, NamesNothingThatLeavesLevelsOff) {
     const auto verdict_of = [](const char* effect, double level_db) {
-        return decide(given_naming({given_set({effect}, {}, 1000.0, 300.0)}), {.named_level_db = level_db}, thresholds).verdict;
+        return decide(given_naming({given_set({effect}, {}, 1000.0, 300.0)}), {.named_level_db = level_db}, thresholds)
+            .verdict;
     };
     EXPECT_EQ(verdict_of("rail-shear", 1.3), Verdict::explained);
     EXPECT_EQ(verdict_of("rail-shear", 1.6), Verdict::unexplained);
@@ -201,7 +234,8 @@ TEST(Decide, NamesNoNumberThatWouldHaveToBeFurtherOffThanAWrongOneIs) {
     EXPECT_EQ(number_beyond_range(leaning_set(given_set({"rail-shear"}, {}, 1000.0, 300.0), 10.0)), "");
 }
 
-// What an approximation leaves may drive a parameter to the end of its range, but no strength beyond its top by more than its law gets wrong: 3 x 3.5 % of the contact's nonlinearity.
+// What an approximation leaves may drive a parameter to the end of its range, but no strength beyond its top by more
+// than its law gets wrong: 3 x 3.5 % of the contact's nonlinearity.
 TEST(Decide, NamesNothingThatWouldBeStrongerThanItsPhysics) {
     ASSERT_EQ(find_effect("contact-nonlinearity")->parameters.front().inexact, 0.035);
     EXPECT_EQ(decide(given_naming({contact_beyond(1.2)}), {}, thresholds).verdict, Verdict::unexplained);
@@ -213,7 +247,8 @@ TEST(BeyondRange, IsNoContact) {
     const std::vector<Observation> none;
     const BelievedCase believed;
     const LikelihoodContext context{.believed = &believed, .observations = &none};
-    EXPECT_FALSE(fit_beyond_range(believed, leaning_set(given_set({"contact-nonlinearity"}, {}, 100.0, 20.0), 50.0), context, {}));
+    EXPECT_FALSE(fit_beyond_range(believed, leaning_set(given_set({"contact-nonlinearity"}, {}, 100.0, 20.0), 50.0),
+                                  context, {}));
 }
 
 // It is no effect that could be fitted beyond its range.
@@ -221,7 +256,9 @@ TEST(BeyondRange, IsNoNumber) {
     const std::vector<Observation> none;
     const BelievedCase believed;
     const LikelihoodContext context{.believed = &believed, .observations = &none};
-    EXPECT_FALSE(fit_beyond_range(believed, leaning_number(given_set({"rail-shear"}, {"vehicle.bogie_mass_kg"}, 100.0, 20.0), 50.0), context, {}));
+    EXPECT_FALSE(fit_beyond_range(
+        believed, leaning_number(given_set({"rail-shear"}, {"vehicle.bogie_mass_kg"}, 100.0, 20.0), 50.0), context,
+        {}));
 }
 
 }  // namespace

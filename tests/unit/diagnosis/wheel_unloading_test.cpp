@@ -1,4 +1,4 @@
-#include "diagnosis/wheel_unloading.hpp"
+#include "diagnosis/model/wheel_unloading.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,8 @@ namespace {
 std::vector<Observation> records(const std::vector<double>& variations) {
     const std::vector<double> speeds(variations.size(), 20.0);
     std::vector<Observation> made = synthesised(paper_believed({}), speeds, 20.0, {"wheel_1"}, kSmall).shapes;
-    for (std::size_t i = 0; i < made.size(); ++i) made[i].name = "run " + std::to_string(i), made[i].expectation.contacts.force_variation = variations[i];
+    for (std::size_t i = 0; i < made.size(); ++i)
+        made[i].name = "run " + std::to_string(i), made[i].expectation.contacts.force_variation = variations[i];
     return made;
 }
 

@@ -1,4 +1,4 @@
-#include "diagnosis/worth_refitting.hpp"
+#include "diagnosis/hypotheses/worth_refitting.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,9 @@ Candidate candidate(const std::string& effect, std::map<std::string, std::string
     return {.instance = instance, .probe = instance};
 }
 
-Promise promise(std::size_t candidate, double gain) { return {.candidate = candidate, .gain = gain, .strength = 1.0, .move = {}}; }
+Promise promise(std::size_t candidate, double gain) {
+    return {.candidate = candidate, .gain = gain, .strength = 1.0, .move = {}};
+}
 
 std::vector<std::string> labels(const std::vector<Starts>& chosen, const std::vector<Candidate>& candidates) {
     std::vector<std::string> all;
@@ -20,31 +22,41 @@ std::vector<std::string> labels(const std::vector<Starts>& chosen, const std::ve
     return all;
 }
 
-// Two of a kind; fasteners that fail at random are another kind than every n-th, whose many numbers would leave them no turn.
+// Two of a kind; fasteners that fail at random are another kind than every n-th, whose many numbers would leave them no
+// turn.
 TEST(WorthRefitting, TwoOfEveryKind) {
-    const std::vector<Candidate> candidates = {candidate("failed-fasteners", {{"every", "20"}}), candidate("failed-fasteners", {{"every", "16"}}), candidate("failed-fasteners", {{"every", "8"}}),
+    const std::vector<Candidate> candidates = {candidate("failed-fasteners", {{"every", "20"}}),
+                                               candidate("failed-fasteners", {{"every", "16"}}),
+                                               candidate("failed-fasteners", {{"every", "8"}}),
                                                candidate("failed-fasteners", {}), candidate("wheelset-bending", {})};
-    const std::vector<Promise> promises = {promise(0, 100.0), promise(1, 90.0), promise(2, 80.0), promise(3, 70.0), promise(4, 60.0)};
-    const std::vector<std::string> expected = {"failed-fasteners (every 20)", "failed-fasteners (every 16)", "failed-fasteners", "wheelset-bending"};
+    const std::vector<Promise> promises = {promise(0, 100.0), promise(1, 90.0), promise(2, 80.0), promise(3, 70.0),
+                                           promise(4, 60.0)};
+    const std::vector<std::string> expected = {"failed-fasteners (every 20)", "failed-fasteners (every 16)",
+                                               "failed-fasteners", "wheelset-bending"};
     EXPECT_EQ(labels(worth_refitting(promises, candidates, 5.0, 8), candidates), expected);
 }
 
 TEST(WorthRefitting, NoMoreThanAskedAndNothingFaint) {
-    const std::vector<Candidate> candidates = {candidate("failed-fasteners", {}), candidate("wheelset-bending", {}), candidate("rail-damper", {})};
+    const std::vector<Candidate> candidates = {candidate("failed-fasteners", {}), candidate("wheelset-bending", {}),
+                                               candidate("rail-damper", {})};
     const std::vector<Promise> promises = {promise(0, 1000.0), promise(1, 900.0), promise(2, 6.0)};
     EXPECT_EQ(worth_refitting(promises, candidates, 5.0, 8).size(), 2U) << "a hundredth of the best promise waits";
     EXPECT_EQ(worth_refitting(promises, candidates, 5.0, 1).size(), 1U);
     EXPECT_TRUE(worth_refitting(promises, candidates, 2000.0, 8).empty());
 }
 
-// Retuning moves sleeper passing and the spectrum already, against what is believed of them: what is left of a promise there is what the belief costs.
+// Retuning moves sleeper passing and the spectrum already, against what is believed of them: what is left of a promise
+// there is what the belief costs.
 TEST(WorthRefitting, WhatOnlyGivesUpABeliefNeedsLess) {
-    const std::vector<Candidate> candidates = {candidate("rail-damper", {}), candidate("sleeper-passing", {}), candidate("irregularity-spectrum", {})};
+    const std::vector<Candidate> candidates = {candidate("rail-damper", {}), candidate("sleeper-passing", {}),
+                                               candidate("irregularity-spectrum", {})};
     const std::vector<Promise> promises = {promise(0, 3.5), promise(1, 1.6), promise(2, 1.4)};
-    EXPECT_EQ(labels(worth_refitting(promises, candidates, 7.0, 8), candidates), std::vector<std::string>{"sleeper-passing"});
+    EXPECT_EQ(labels(worth_refitting(promises, candidates, 7.0, 8), candidates),
+              std::vector<std::string>{"sleeper-passing"});
 }
 
-// 190 nats of 3.3 promised: what has to bring 3400 beside a law that is an approximation is not asked where it promises 10.
+// 190 nats of 3.3 promised: what has to bring 3400 beside a law that is an approximation is not asked where it
+// promises 10.
 TEST(WorthRefitting, ABeliefThatCannotBringEnoughIsKept) {
     const std::vector<Candidate> candidates = {candidate("sleeper-passing", {})};
     EXPECT_TRUE(worth_refitting({promise(0, 10.0)}, candidates, 3400.0, 8).empty());
@@ -63,11 +75,13 @@ TEST(WorthRefitting, GridPointsOfAVariantGoTogether) {
 
 // Joints every 12 m began 3 nats behind those every 25 m, and were never climbed.
 TEST(WorthRefitting, DistancesOfACombAreClimbedApart) {
-    const std::vector<Candidate> candidates = {candidate("rail-joints", {}), candidate("rail-joints", {}), candidate("rail-joints", {}), candidate("rail-damper", {})};
+    const std::vector<Candidate> candidates = {candidate("rail-joints", {}), candidate("rail-joints", {}),
+                                               candidate("rail-joints", {}), candidate("rail-damper", {})};
     const auto apart = climbed_apart({promise(0, 13.0), promise(1, 8.0), promise(2, 7.5)}, candidates);
     ASSERT_EQ(apart.size(), 2U);
     EXPECT_EQ(apart[1].front().candidate, 1U);
-    EXPECT_EQ(climbed_apart({promise(3, 9.0), promise(3, 8.0)}, candidates).size(), 1U) << "grid points of anything else compete";
+    EXPECT_EQ(climbed_apart({promise(3, 9.0), promise(3, 8.0)}, candidates).size(), 1U)
+        << "grid points of anything else compete";
 }
 
 // A rail that shears looks like one that bends more easily: the number was released, and the law never tried.

@@ -12,18 +12,21 @@ namespace {
 constexpr double kRound = 1e-15;  // a few units in the last place of numbers around one
 
 TEST(ElementaryLanes, Logarithm) {
-    for (double x = 1e-12; x < 1e12; x *= 1.0371) EXPECT_NEAR(log(broadcast(x))[1], std::log(x), kRound * std::max(1.0, std::abs(std::log(x)))) << x;
+    for (double x = 1e-12; x < 1e12; x *= 1.0371)
+        EXPECT_NEAR(log(broadcast(x))[1], std::log(x), kRound * std::max(1.0, std::abs(std::log(x)))) << x;
     EXPECT_EQ(log(broadcast(1.0))[0], 0.0);
 }
 
 TEST(ElementaryLanes, Exponential) {
-    for (double x = -600.0; x < 600.0; x += 0.3771) EXPECT_NEAR(exp(broadcast(x))[2] / std::exp(x), 1.0, kRound * std::max(1.0, std::abs(x))) << x;
+    for (double x = -600.0; x < 600.0; x += 0.3771)
+        EXPECT_NEAR(exp(broadcast(x))[2] / std::exp(x), 1.0, kRound * std::max(1.0, std::abs(x))) << x;
     EXPECT_EQ(exp(broadcast(0.0))[3], 1.0);
 }
 
 TEST(ElementaryLanes, Power) {
     for (const double exponent : {0.15, 1.0, -0.4, 2.5})
-        for (double x = 1e-8; x < 1e8; x *= 1.37) EXPECT_NEAR(power(broadcast(x), exponent)[0] / std::pow(x, exponent), 1.0, 1e-13) << x;
+        for (double x = 1e-8; x < 1e8; x *= 1.37)
+            EXPECT_NEAR(power(broadcast(x), exponent)[0] / std::pow(x, exponent), 1.0, 1e-13) << x;
     EXPECT_EQ(power(broadcast(7.0), 0.0)[0], 1.0);
 }
 

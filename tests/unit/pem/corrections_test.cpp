@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "pem/contact.hpp"
-#include "pem/coupled_model.hpp"
-#include "pem/sensor_chain.hpp"
+#include "pem/coupling/coupled_model.hpp"
+#include "pem/coupling/sensor_chain.hpp"
 #include "tests/unit/lanes/in_turn.hpp"
 #include "tests/verification/pem/paper_case.hpp"
 
@@ -17,7 +17,9 @@ namespace {
 using Complex = std::complex<double>;
 const lanes::Real omega = lanes::tests::in_turn({6.0, 60.0, 360.0, 1200.0});
 
-lanes::FactorCurve constant(Complex value) { return {.frequency_hz = {30.0}, .value = {value}}; }
+lanes::FactorCurve constant(Complex value) {
+    return {.frequency_hz = {30.0}, .value = {value}};
+}
 
 /// Responses to a unit irregularity under each wheel.
 std::vector<Complex> responses_of(const CaseParameters& parameters) {
@@ -36,7 +38,9 @@ std::vector<Complex> responses_of(const CaseParameters& parameters) {
     return values;
 }
 
-CaseParameters exact_case() { return tests::paper_case(2); }
+CaseParameters exact_case() {
+    return tests::paper_case(2);
+}
 
 CaseParameters modal_case() {
     CaseParameters c = tests::paper_case(2);
@@ -63,15 +67,18 @@ TEST_P(CaseCorrection, EqualsTheScaledParameter) {
         CaseParameters corrected = make(), scaled = make();
         GetParam().correct(corrected);
         GetParam().reference(scaled);
-        const std::vector<Complex> found = responses_of(corrected), expected = responses_of(scaled), before = responses_of(plain);
+        const std::vector<Complex> found = responses_of(corrected), expected = responses_of(scaled),
+                                   before = responses_of(plain);
         // Rounding times the condition of the modal stiffness, 1e5.
         const double tolerance = make == modal_case ? 1e-10 : 1e-12;
         double change = 0.0;
-        // Against the strongest of the four wheels: what hardly arrives from a far wheel is a difference of large numbers.
+        // Against the strongest of the four wheels: what hardly arrives from a far wheel is a difference of large
+        // numbers.
         const std::size_t period = found.size() / 4;
         for (std::size_t i = 0; i < found.size(); ++i) {
             double size = 0.0;
-            for (std::size_t k = i % period; k < found.size(); k += period) size = std::max(size, std::abs(expected[k]));
+            for (std::size_t k = i % period; k < found.size(); k += period)
+                size = std::max(size, std::abs(expected[k]));
             EXPECT_NEAR(std::abs(found[i] - expected[i]) / size, 0.0, tolerance) << i;
             change = std::max(change, std::abs(before[i] - expected[i]) / size);
         }
@@ -82,21 +89,26 @@ TEST_P(CaseCorrection, EqualsTheScaledParameter) {
 INSTANTIATE_TEST_SUITE_P(
     Places, CaseCorrection,
     testing::Values(Correction{"contact", [](CaseParameters& c) { c.contact.correction = constant(1.2); },
-                               [](CaseParameters& c) { c.contact.constant_m_per_n23 = contact_constant(c.contact, c.vehicle.wheel_radius_m) / 1.2; }},
+                               [](CaseParameters& c) {
+                                   c.contact.constant_m_per_n23 =
+                                       contact_constant(c.contact, c.vehicle.wheel_radius_m) / 1.2;
+                               }},
                     Correction{"pads", [](CaseParameters& c) { c.track.pads.correction = constant(1.2); },
                                [](CaseParameters& c) {
                                    c.track.pads.dynamic_to_static_ratio *= 1.2;
                                    c.track.pads.damping_n_s_per_m *= 1.2;
                                }},
                     Correction{"rail", [](CaseParameters& c) { c.track.rail.correction = constant(1.2); },
-                               [](CaseParameters& c) { c.track.rail.mass_kg_per_m *= 1.2; }},  // its weight is stated apart
+                               // its weight is stated apart
+                               [](CaseParameters& c) { c.track.rail.mass_kg_per_m *= 1.2; }},
                     Correction{"primary", [](CaseParameters& c) { c.vehicle.primary.correction = constant(1.2); },
                                [](CaseParameters& c) {
                                    c.vehicle.primary.stiffness_n_per_m *= 1.2;
                                    c.vehicle.primary.damping_n_s_per_m *= 1.2;
                                }},
                     Correction{"wheel", [](CaseParameters& c) { c.vehicle.wheel_correction = constant(1.2); },
-                               [](CaseParameters& c) { c.vehicle.wheelset_mass_kg *= 1.2; }}),  // the wheel load is stated
+                               // the wheel load is stated
+                               [](CaseParameters& c) { c.vehicle.wheelset_mass_kg *= 1.2; }}),
     [](const auto& tested) { return std::string(tested.param.name); });
 
 /// P = (1/(K_h·c) + V + R)⁻¹·r: the inverse of the forces differs from the uncorrected one on its diagonal only.

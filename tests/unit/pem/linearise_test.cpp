@@ -1,6 +1,6 @@
 // The iteration behind equivalent damping and stiffness: it settles, wherever it starts.
 
-#include "pem/linearise.hpp"
+#include "pem/coupling/linearise.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "pem/wheel_transfers.hpp"
+#include "pem/coupling/wheel_transfers.hpp"
 #include "tests/verification/pem/paper_case.hpp"
 #include "vehicle/vehicle_parameters.hpp"
 
@@ -18,7 +18,8 @@ namespace {
 constexpr double kRunning = 22.2222;  // m/s
 
 Linearisation settled(const CaseParameters& parameters, CoupledModel& model) {
-    return linearise(parameters, excitation_sources(parameters, vehicle::wheel_positions(parameters.vehicle), kRunning), model);
+    return linearise(parameters, excitation_sources(parameters, vehicle::wheel_positions(parameters.vehicle), kRunning),
+                     model);
 }
 
 CaseParameters coarse() {
@@ -27,8 +28,8 @@ CaseParameters coarse() {
     return c;
 }
 
-/// From a force that nobody feels to one that blocks the springs, in both stages, beside a contact that opens. 5 to 14 steps, 29 where nothing moves in the end. There
-/// what is left is rounding, 2e-9.
+/// From a force that nobody feels to one that blocks the springs, in both stages, beside a contact that opens. 5 to 14
+/// steps, 29 where nothing moves in the end. There what is left is rounding, 2e-9.
 TEST(Linearise, SettlesWhateverTheForce) {
     for (const double force : {1.0, 100.0, 1000.0, 5e3, 3e4})
         for (const double share : {0.0, 1.0, 4.0}) {
@@ -40,10 +41,13 @@ TEST(Linearise, SettlesWhateverTheForce) {
             const Linearisation found = settled(c, model);
             EXPECT_LT(found.iterations, 40) << force << ' ' << share;
             EXPECT_LT(found.change, force < 1e4 ? 1e-12 : 1e-8) << force << ' ' << share;
-            // A stage that the force blocks moves by a nanometre a second at most, below which damping is no longer raised.
+            // A stage that the force blocks moves by a nanometre a second at most, below which damping is no longer
+            // raised.
             for (std::size_t e = 0; e < 4; ++e) {
                 const double velocity = std::max(found.primary_velocity_m_per_s[e], 1e-9);
-                EXPECT_NEAR(model.car.friction.primary[e] * velocity / (force * std::sqrt(2.0 / std::numbers::pi)), 1.0, 1e-8) << force;
+                EXPECT_NEAR(model.car.friction.primary[e] * velocity / (force * std::sqrt(2.0 / std::numbers::pi)), 1.0,
+                            1e-8)
+                    << force;
             }
         }
 }
@@ -52,7 +56,8 @@ TEST(Linearise, SettlesWhateverTheForce) {
 TEST(Linearise, EndsWhereItEndsFromAnyStart) {
     CaseParameters c = coarse();
     c.vehicle.primary.friction_force_n = 1000.0;
-    CoupledModel from_nothing = coupled_model(c, kRunning), from_near = coupled_model(c, kRunning), from_afar = coupled_model(c, kRunning);
+    CoupledModel from_nothing = coupled_model(c, kRunning), from_near = coupled_model(c, kRunning),
+                 from_afar = coupled_model(c, kRunning);
     settled(c, from_nothing);
     for (std::size_t e = 0; e < 4; ++e) {
         from_near.car.friction.primary[e] = from_nothing.car.friction.primary[e] * (1.0 + 1e-4);

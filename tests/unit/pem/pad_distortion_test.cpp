@@ -1,4 +1,4 @@
-#include "pem/pad_distortion.hpp"
+#include "pem/distortion/pad_distortion.hpp"
 
 #include <gtest/gtest.h>
 
@@ -20,10 +20,13 @@ CaseParameters loaded(double strength) {
 
 std::vector<DelayedSpectrum> distortion_of(const CaseParameters& c) {
     const std::vector<double> wheels = vehicle::wheel_positions(c.vehicle);
-    return pad_distortion(pad_transfers(c, coupled_model(c, kFastSpeed)), excitation(c, wheels, kFastSpeed).broadband, wheels, kFastSpeed);
+    return pad_distortion(pad_transfers(c, coupled_model(c, kFastSpeed)), excitation(c, wheels, kFastSpeed).broadband,
+                          wheels, kFastSpeed);
 }
 
-TEST(PadDistortion, NoneWhereLoadDoesNotMatter) { EXPECT_TRUE(distortion_of(loaded(0.0)).empty()); }
+TEST(PadDistortion, NoneWhereLoadDoesNotMatter) {
+    EXPECT_TRUE(distortion_of(loaded(0.0)).empty());
+}
 
 // A square: 10 dB more irregularity make 20 dB more distortion.
 TEST(PadDistortion, IsOfSecondOrder) {
@@ -39,7 +42,8 @@ TEST(PadDistortion, IsOfSecondOrder) {
 
 // Linear in the strength of the law while that is small: so is the curvature, and the spectrum goes with its square.
 TEST(PadDistortion, GrowsWithTheStrength) {
-    const double weak = distortion_of(loaded(0.01)).front().psd_m2_per_hz(65.0), twice = distortion_of(loaded(0.02)).front().psd_m2_per_hz(65.0);
+    const double weak = distortion_of(loaded(0.01)).front().psd_m2_per_hz(65.0),
+                 twice = distortion_of(loaded(0.02)).front().psd_m2_per_hz(65.0);
     EXPECT_NEAR(twice / weak, 4.0, 0.1);
 }
 

@@ -1,4 +1,4 @@
-#include "pem/passing_modulation.hpp"
+#include "pem/distortion/passing_modulation.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <complex>
 
-#include "pem/solution.hpp"
+#include "pem/coupling/solution.hpp"
 #include "tests/verification/pem/paper_case.hpp"
 
 namespace railpem::pem {
@@ -23,9 +23,13 @@ struct Passing {
 Passing passing(CaseParameters c) {
     c.solver.moving = true;
     c.frequency = {.from_hz = 1.0, .to_hz = 200.0, .step_hz = 1.0};
-    c.sleeper_passing.amplitude_factor = c.sleeper_passing.amplitude_factor == 0.0 ? 1.0 : c.sleeper_passing.amplitude_factor;
+    c.sleeper_passing.amplitude_factor =
+        c.sleeper_passing.amplitude_factor == 0.0 ? 1.0 : c.sleeper_passing.amplitude_factor;
     const CoupledModel model = coupled_model(c, kRollingSpeed);
-    return {c, modulation_transfers(c, model, kRollingSpeed, rolling_table(model, kRollingSpeed, modulation_end_hz(c, kRollingSpeed))), track_excitation(c, vehicle::wheel_positions(c.vehicle), kRollingSpeed, &model)};
+    return {c,
+            modulation_transfers(c, model, kRollingSpeed,
+                                 rolling_table(model, kRollingSpeed, modulation_end_hz(c, kRollingSpeed))),
+            track_excitation(c, vehicle::wheel_positions(c.vehicle), kRollingSpeed, &model)};
 }
 
 CaseParameters failed_case() {
@@ -41,7 +45,8 @@ TEST(PassingModulation, AmplitudeOfTheLinesDoesNotCount) {
     c.sleeper_passing.amplitude_factor = 1.25;
     const Passing louder = passing(c);
     EXPECT_NEAR(std::abs(louder.alone.passing[0].amplitude_m[0] / plain.alone.passing[0].amplitude_m[0]), 1.25, 1e-9);
-    const auto a = modulations(plain.parameters, plain.alone, plain.transfers, 0.0), b = modulations(louder.parameters, louder.alone, louder.transfers, 0.0);
+    const auto a = modulations(plain.parameters, plain.alone, plain.transfers, 0.0),
+               b = modulations(louder.parameters, louder.alone, louder.transfers, 0.0);
     ASSERT_EQ(a.size(), b.size());
     ASSERT_FALSE(a.empty());
     for (std::size_t i = 0; i < a.size(); ++i)
@@ -55,12 +60,14 @@ TEST(PassingModulation, SidesAreConjugate) {
     const auto orders = modulations(sound.parameters, sound.alone, sound.transfers, 0.0);
     for (std::size_t i = 0; i + 1 < orders.size(); i += 2) {
         EXPECT_EQ(orders[i].shift_hz, -orders[i + 1].shift_hz);
-        for (std::size_t wheel = 0; wheel < 4; ++wheel) EXPECT_EQ(orders[i].under_wheel[wheel], std::conj(orders[i + 1].under_wheel[wheel]));
+        for (std::size_t wheel = 0; wheel < 4; ++wheel)
+            EXPECT_EQ(orders[i].under_wheel[wheel], std::conj(orders[i + 1].under_wheel[wheel]));
     }
 }
 
-// The sweeps are counted, not ended by a tolerance: slopes by differences need a smooth prediction. Eight leave less than 3e-4 of the lines up to the
-// first whole bay, which have the power, and 1e-2 of those beyond; six leave 5e-4 and 1.1 %.
+// The sweeps are counted, not ended by a tolerance: slopes by differences need a smooth prediction. Eight leave less
+// than 3e-4 of the lines up to the first whole bay, which have the power, and 1e-2 of those beyond; six leave 5e-4
+// and 1.1 %.
 TEST(PassingModulation, LinesHaveSettled) {
     const Passing broken = passing(failed_case());
     TrackExcitation usual = broken.alone, longer = broken.alone;

@@ -1,6 +1,6 @@
 // Friction that is not linearised: against one degree of freedom marched in time, and where it is weak.
 
-#include "pem/realised_friction.hpp"
+#include "pem/distortion/realised_friction.hpp"
 
 #include <gtest/gtest.h>
 
@@ -20,8 +20,14 @@ constexpr double kForcePsd = 2e5;                       // N²/Hz
 /// A mass on spring and damper, pushed by random forces, with friction of `force`, linearised.
 struct OneDegree {
     double force, damping;
-    VelocitySpectra velocity{.from_hz = kLineStep_hz, .step_hz = kLineStep_hz, .elements = 1, .lines = kLineCount, .values = {}};
-    ElementTransfers transfers{.from_hz = kLineStep_hz, .step_hz = kLineStep_hz, .lines = kLineCount, .elements = 1, .mobility = {}, .by_wheel = {}};
+    VelocitySpectra velocity{
+        .from_hz = kLineStep_hz, .step_hz = kLineStep_hz, .elements = 1, .lines = kLineCount, .values = {}};
+    ElementTransfers transfers{.from_hz = kLineStep_hz,
+                               .step_hz = kLineStep_hz,
+                               .lines = kLineCount,
+                               .elements = 1,
+                               .mobility = {},
+                               .by_wheel = {}};
 };
 
 std::complex<double> mobility(double frequency, double damping) {
@@ -33,7 +39,9 @@ OneDegree one_degree(double force) {
     OneDegree own{.force = force, .damping = 0.0};
     for (int i = 0; i < 200; ++i) {
         double variance = 0.0;
-        for (std::size_t k = 1; k <= kExcited; ++k) variance += kForcePsd * kLineStep_hz * std::norm(mobility(kLineStep_hz * static_cast<double>(k), own.damping));
+        for (std::size_t k = 1; k <= kExcited; ++k)
+            variance +=
+                kForcePsd * kLineStep_hz * std::norm(mobility(kLineStep_hz * static_cast<double>(k), own.damping));
         own.damping = 0.5 * own.damping + 0.5 * force * std::sqrt(2.0 / std::numbers::pi / variance);
     }
     for (std::size_t k = 1; k <= kLineCount; ++k) {
@@ -59,9 +67,11 @@ Means of_curves(const OneDegree& own, const RealisedFriction& found) {
     const std::vector<std::complex<double>> gaussian = friction_distortion(own.velocity, own.force);
     Means means;
     for (std::size_t k = 0; k < kLineCount; ++k) {
-        const double omega = 2.0 * std::numbers::pi * kLineStep_hz * static_cast<double>(k + 1), excited = own.damping * own.velocity.values[k].real() * kLineStep_hz;
+        const double omega = 2.0 * std::numbers::pi * kLineStep_hz * static_cast<double>(k + 1),
+                     excited = own.damping * own.velocity.values[k].real() * kLineStep_hz;
         const std::complex<double> damping = found.damping.at(omega);
-        means.power += std::norm(damping) * own.damping * excited + found.power.at(omega).real() * gaussian[k].real() * kLineStep_hz;
+        means.power += std::norm(damping) * own.damping * excited +
+                       found.power.at(omega).real() * gaussian[k].real() * kLineStep_hz;
         means.followed += damping.real() * excited;
     }
     return means;
@@ -72,7 +82,8 @@ constexpr std::size_t kSteps = 16384;  ///< of a period
 /// Forces of a draw and the velocities that they cause in the linearised system.
 struct Draw {
     std::vector<double> push = std::vector<double>(kSteps, 0.0);
-    std::vector<std::complex<double>> linear = std::vector<std::complex<double>>(kExcited + 1);  ///< amplitudes of its lines
+    /// amplitudes of its lines
+    std::vector<std::complex<double>> linear = std::vector<std::complex<double>>(kExcited + 1);
 };
 
 Draw draw_of(const OneDegree& own, std::mt19937& random) {
@@ -80,7 +91,8 @@ Draw draw_of(const OneDegree& own, std::mt19937& random) {
     Draw draw;
     for (std::size_t k = 1; k <= kExcited; ++k) {
         const double scale = std::sqrt(kForcePsd * kLineStep_hz);
-        const std::complex<double> amplitude(scale * normal(random), scale * normal(random)), turn = std::polar(1.0, 2.0 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(kSteps));
+        const std::complex<double> amplitude(scale * normal(random), scale * normal(random)),
+            turn = std::polar(1.0, 2.0 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(kSteps));
         draw.linear[k] = own.transfers.mobility[k - 1] * amplitude;
         std::complex<double> phase = 1.0;
         for (std::size_t t = 0; t < kSteps; ++t, phase *= turn) draw.push[t] += (amplitude * phase).real();
@@ -88,7 +100,8 @@ Draw draw_of(const OneDegree& own, std::mt19937& random) {
     return draw;
 }
 
-/// What the force has beyond c·v, by implicit Euler, in which the velocity at a step's end is what friction lets pass of it; the second of two periods.
+/// What the force has beyond c·v, by implicit Euler, in which the velocity at a step's end is what friction lets pass
+/// of it; the second of two periods.
 std::vector<double> beyond_of(const OneDegree& own, const Draw& draw) {
     constexpr double kStep_s = 1.0 / kLineStep_hz / kSteps, kInertia = kMass / kStep_s + kDamper + kSpring * kStep_s;
     std::vector<double> beyond(kSteps);
@@ -122,10 +135,13 @@ Means marched(const OneDegree& own, int draws) {
 
 class RealisedFrictionOf : public testing::TestWithParam<double> {};
 
-// With eight seeds of 200 draws of 2 s each the power lay within 6 % of the marched one (3000 N; 2.5 % at 500 and 1500 N), and what follows within 0.036 of the damping's.
+// With eight seeds of 200 draws of 2 s each the power lay within 6 % of the marched one (3000 N; 2.5 % at 500 and 1500
+// N), and what follows within 0.036 of the damping's.
 TEST_P(RealisedFrictionOf, IsThatOfAMarchedMass) {
     const OneDegree own = one_degree(GetParam());
-    const Means found = of_curves(own, realised_friction(own.velocity, own.transfers, {own.damping}, own.force, {.realisations = 200})), expected = marched(own, 200);
+    const Means found = of_curves(own, realised_friction(own.velocity, own.transfers, {own.damping}, own.force,
+                                                         {.realisations = 200})),
+                expected = marched(own, 200);
     EXPECT_NEAR(found.power, expected.power, 0.08 * expected.power);
     EXPECT_NEAR(found.followed / excited(own), expected.followed / excited(own), 0.05);
 }
@@ -135,7 +151,8 @@ INSTANTIATE_TEST_SUITE_P(Forces, RealisedFrictionOf, testing::Values(500.0, 1500
 TEST(RealisedFriction, IsItsLinearisationWhereItIsWeak) {
     const OneDegree own = one_degree(50.0);
     ASSERT_LT(own.damping, 0.1 * kDamper);
-    const Means means = of_curves(own, realised_friction(own.velocity, own.transfers, {own.damping}, own.force)), gaussian = of_curves(own, {.damping = {{1.0}, {0.0}}, .power = {{1.0}, {1.0}}});
+    const Means means = of_curves(own, realised_friction(own.velocity, own.transfers, {own.damping}, own.force)),
+                gaussian = of_curves(own, {.damping = {{1.0}, {0.0}}, .power = {{1.0}, {1.0}}});
     EXPECT_NEAR(means.followed / excited(own), 0.0, 0.05);            // -0.014 to 0.024 in eight seeds
     EXPECT_NEAR(means.power, gaussian.power, 0.05 * gaussian.power);  // 0.998 to 1.031 in eight seeds
 }
@@ -143,13 +160,17 @@ TEST(RealisedFriction, IsItsLinearisationWhereItIsWeak) {
 // A force that stops the mass most of the time has forces beside its damping that linearisation does not know.
 TEST(RealisedFriction, HasMorePowerWhereItIsStrong) {
     const OneDegree own = one_degree(3000.0);
-    const Means means = of_curves(own, realised_friction(own.velocity, own.transfers, {own.damping}, own.force)), gaussian = of_curves(own, {.damping = {{1.0}, {0.0}}, .power = {{1.0}, {1.0}}});
+    const Means means = of_curves(own, realised_friction(own.velocity, own.transfers, {own.damping}, own.force)),
+                gaussian = of_curves(own, {.damping = {{1.0}, {0.0}}, .power = {{1.0}, {1.0}}});
     EXPECT_GT(means.power, 2.0 * gaussian.power);  // 2.26 to 2.45 in eight seeds, 2.33 marched
 }
 
 TEST(RealisedFriction, IsTheSameAgain) {
     const OneDegree own = one_degree(1500.0);
-    const RealisedFriction once = realised_friction(own.velocity, own.transfers, {own.damping}, own.force, {.realisations = 3}), again = realised_friction(own.velocity, own.transfers, {own.damping}, own.force, {.realisations = 3});
+    const RealisedFriction once = realised_friction(own.velocity, own.transfers, {own.damping}, own.force,
+                                                    {.realisations = 3}),
+                           again = realised_friction(own.velocity, own.transfers, {own.damping}, own.force,
+                                                     {.realisations = 3});
     EXPECT_EQ(once.power.value, again.power.value);
     EXPECT_EQ(once.damping.value, again.damping.value);
 }

@@ -1,12 +1,12 @@
 // Orders of a period of failed seats.
 
-#include "pem/seat_orders.hpp"
+#include "pem/rail/seat_orders.hpp"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 
-#include "pem/coupled_model.hpp"
+#include "pem/coupling/coupled_model.hpp"
 #include "tests/verification/pem/paper_case.hpp"
 
 namespace railpem::pem {
@@ -22,12 +22,15 @@ TEST(SeatOrders, AreThoseOfAFourierSeries) {
         made.at.emplace_back();
         for (int k = 0; k < 9; ++k) {
             const double turn = 2.0 * std::numbers::pi * (0.4 / 3.0 + k / 9.0);
-            made.at.back().emplace_back().fill(kFirst * std::polar(1.0, turn) + kSecond * (1.0 + line) * std::polar(1.0, -2.0 * turn));
+            made.at.back().emplace_back().fill(kFirst * std::polar(1.0, turn) +
+                                               kSecond * (1.0 + line) * std::polar(1.0, -2.0 * turn));
         }
     }
     const SeatOrders orders = seat_orders(made);
     EXPECT_TRUE(orders.has(4) && orders.has(-4) && !orders.has(5) && !orders.has(0));
-    const auto expect = [&](int order, double frequency, Phasor value) { EXPECT_LT(std::abs(order_at(orders, order, frequency)[7] - value), 1e-12) << order << " at " << frequency; };
+    const auto expect = [&](int order, double frequency, Phasor value) {
+        EXPECT_LT(std::abs(order_at(orders, order, frequency)[7] - value), 1e-12) << order << " at " << frequency;
+    };
     expect(1, 6.0, kFirst);
     expect(-2, 6.0, 2.5 * kSecond);
     expect(2, 6.0, 0.0);
@@ -35,7 +38,8 @@ TEST(SeatOrders, AreThoseOfAFourierSeries) {
     expect(1, 0.0, kFirst);
 }
 
-// Seats at rest know no direction: the rail under wheel i gives way to a force at wheel j as that under j to one at i, at every place, and the first order is no rounding error.
+// Seats at rest know no direction: the rail under wheel i gives way to a force at wheel j as that under j to one at i,
+// at every place, and the first order is no rounding error.
 TEST(SeatOrders, OfFailedSeatsAreReciprocal) {
     CaseParameters c = tests::paper_case(1);
     c.solver.moving = true;
@@ -49,7 +53,8 @@ TEST(SeatOrders, OfFailedSeatsAreReciprocal) {
         const WheelPairs own = order_at(orders, 1, frequency);
         EXPECT_GT(std::abs(own[0]), 1e-10);
         for (std::size_t i = 0; i < 4; ++i)
-            for (std::size_t j = 0; j < 4; ++j) EXPECT_LT(std::abs(own[i * 4 + j] - own[j * 4 + i]), 1e-6 * std::abs(own[0]));
+            for (std::size_t j = 0; j < 4; ++j)
+                EXPECT_LT(std::abs(own[i * 4 + j] - own[j * 4 + i]), 1e-6 * std::abs(own[0]));
     }
     c.track.failed_fasteners.clear();
     EXPECT_TRUE(seat_place_receptances(*coupled_model(c, 20.0).rail, 40.0).at.empty());

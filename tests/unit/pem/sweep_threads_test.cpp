@@ -1,11 +1,12 @@
-// Cases shared out to threads: what each gives does not depend on how many there are, and what one throws reaches the caller.
+// Cases shared out to threads: what each gives does not depend on how many there are, and what one throws reaches the
+// caller.
 
 #include <gtest/gtest.h>
 
 #include <stdexcept>
 #include <vector>
 
-#include "pem/sweep.hpp"
+#include "pem/coupling/sweep.hpp"
 #include "tests/verification/pem/paper_case.hpp"
 
 namespace railpem::pem {
@@ -17,9 +18,10 @@ SweepPlan plan() {
     SweepPlan sweep;
     sweep.base = tests::paper_case(2);
     sweep.base.frequency = {.from_hz = 5.0, .to_hz = 150.0, .step_hz = 5.0};
-    sweep.axes = {{.key = "track.pads.damping_n_s_per_m",
-                   .set = [](CaseParameters& parameters, double value) { parameters.track.pads.damping_n_s_per_m = value; },
-                   .values = {3e4, 4e4, 5e4, 6e4, 7e4, 8e4}}};
+    sweep.axes = {
+        {.key = "track.pads.damping_n_s_per_m",
+         .set = [](CaseParameters& parameters, double value) { parameters.track.pads.damping_n_s_per_m = value; },
+         .values = {3e4, 4e4, 5e4, 6e4, 7e4, 8e4}}};
     sweep.quantities = {{"wheel_1", QuantityKind::rms}, {"body", QuantityKind::spectrum}};
     return sweep;
 }
@@ -27,7 +29,8 @@ SweepPlan plan() {
 std::vector<std::vector<double>> rows(int threads) {
     std::vector<std::vector<double>> values(kCases);
     run_sweep(plan(), threads,
-              {.finished = [](std::size_t) { return false; }, .done = [&](std::size_t index, const std::vector<double>& row) { values[index] = row; }});
+              {.finished = [](std::size_t) { return false; },
+               .done = [&](std::size_t index, const std::vector<double>& row) { values[index] = row; }});
     return values;
 }
 
@@ -43,7 +46,8 @@ TEST(SweepThreads, WhatOneThrowsReachesTheCaller) {
     const auto fail = [](std::size_t index, const std::vector<double>&) {
         if (index == 2) throw std::runtime_error("disk full");
     };
-    EXPECT_THROW(run_sweep(plan(), 4, {.finished = [](std::size_t) { return false; }, .done = fail}), std::runtime_error);
+    EXPECT_THROW(run_sweep(plan(), 4, {.finished = [](std::size_t) { return false; }, .done = fail}),
+                 std::runtime_error);
 }
 
 }  // namespace

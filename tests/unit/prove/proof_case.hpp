@@ -2,10 +2,10 @@
 
 #include <string>
 
-#include "app/case_schema.hpp"
-#include "app/diagnosis_inputs.hpp"
 #include "app/page/page_parts.hpp"
 #include "app/prove/trial_draw.hpp"
+#include "app/schema/case_schema.hpp"
+#include "app/schema/diagnosis_inputs.hpp"
 
 namespace railpem::app {
 

@@ -8,8 +8,8 @@
 
 #include "app/input_error.hpp"
 #include "app/prove/proof.hpp"
-#include "app/recording_schema.hpp"
-#include "app/simulated_recording_files.hpp"
+#include "app/schema/recording_schema.hpp"
+#include "app/tables/simulated_recording_files.hpp"
 #include "tests/unit/prove/proof_case.hpp"
 
 namespace railpem::app {
@@ -32,9 +32,13 @@ class Proof : public testing::Test {
         const std::vector<TrialTruth> truths = draw_trials(own_.file, own_.believed, settings);
         folder.seal(truths);
         std::vector<std::size_t> kept;
-        const auto runner = [](const TrialTruth& truth, const fs::path&) { return TrialResult{.trial = truth.trial, .verdict = "consistent"}; };
-        run_trials(truths, settings, folder, runner, [&](std::size_t, std::size_t, const TrialResult& last) { kept.push_back(last.trial); },
-                   [&] { return kept.size() >= most; });
+        const auto runner = [](const TrialTruth& truth, const fs::path&) {
+            return TrialResult{.trial = truth.trial, .verdict = "consistent"};
+        };
+        run_trials(
+            truths, settings, folder, runner,
+            [&](std::size_t, std::size_t, const TrialResult& last) { kept.push_back(last.trial); },
+            [&] { return kept.size() >= most; });
         return kept;
     }
 
@@ -88,13 +92,15 @@ TEST_F(Proof, ATrialThatWasCutShortIsNotKept) {
         asked = truth.trial == 1;
         return TrialResult{.trial = truth.trial, .verdict = "consistent"};
     };
-    run_trials(truths, settings_, folder, runner, [](std::size_t, std::size_t, const TrialResult&) {}, [&] { return asked; });
+    run_trials(
+        truths, settings_, folder, runner, [](std::size_t, std::size_t, const TrialResult&) {}, [&] { return asked; });
     EXPECT_TRUE(folder.finished(0).has_value());
     EXPECT_FALSE(folder.finished(1).has_value());
 }
 
 TEST(ReadShard, RefusesWhatIsNone) {
-    for (const char* text : {"", "1", "0/2", "3/2", "a/b", "1/2/3", "-1/2"}) EXPECT_THROW(read_shard(text), InputError) << text;
+    for (const char* text : {"", "1", "0/2", "3/2", "a/b", "1/2/3", "-1/2"})
+        EXPECT_THROW(read_shard(text), InputError) << text;
 }
 
 // In memory and through the files a diagnosis meets the same recording: seven digits apart.
@@ -123,7 +129,8 @@ TEST(MeasuredRecording, IsWhatItsFilesWouldBe) {
         EXPECT_EQ(a.description.index, b.description.index);
         EXPECT_NEAR(a.description.position_m, b.description.position_m, 1e-5);
         ASSERT_EQ(a.samples.size(), b.samples.size());
-        for (std::size_t i = 0; i < a.samples.size(); i += 97) EXPECT_NEAR(a.samples[i], b.samples[i], 1e-6 * std::abs(a.samples[i]) + 1e-12);
+        for (std::size_t i = 0; i < a.samples.size(); i += 97)
+            EXPECT_NEAR(a.samples[i], b.samples[i], 1e-6 * std::abs(a.samples[i]) + 1e-12);
     }
 }
 

@@ -12,13 +12,15 @@ namespace railpem::app {
 namespace {
 
 TrialTruth truth_of(std::size_t trial, TrialKind kind, const std::vector<std::string>& hidden) {
-    TrialTruth truth{.trial = trial, .kind = kind, .records = {{.speed_m_per_s = 20.0, .stated_speed_m_per_s = 20.0, .seed = 7}}};
+    TrialTruth truth{
+        .trial = trial, .kind = kind, .records = {{.speed_m_per_s = 20.0, .stated_speed_m_per_s = 20.0, .seed = 7}}};
     for (const std::string& text : hidden) truth.hidden.push_back(simulate::parse_hidden(text));
     truth.numbers = {{.key = "vehicle.body_mass_kg", .believed = 100.0, .truth = 104.0}};
     return truth;
 }
 
-TrialResult result_of(std::size_t trial, const std::string& verdict, const std::vector<ClaimedEffect>& omitted, const std::string& place, double retuned_db = 1.0) {
+TrialResult result_of(std::size_t trial, const std::string& verdict, const std::vector<ClaimedEffect>& omitted,
+                      const std::string& place, double retuned_db = 1.0) {
     TrialResult result{.trial = trial, .verdict = verdict, .omitted = omitted};
     if (!place.empty()) result.places = {{place, 0.9}};
     result.retuned.rms_db = retuned_db;
@@ -38,32 +40,39 @@ void expect_counts(const ProofScore& score, const std::string& name, std::size_t
     EXPECT_EQ(measure(score, name).proportion.of, of) << name;
 }
 
-ClaimedEffect exponent(double low, double high) { return {"pad-frequency-stiffening", {}, "pad", 0.9, {{"exponent", 0.5 * (low + high), low, high, "1"}}}; }
+ClaimedEffect exponent(double low, double high) {
+    return {"pad-frequency-stiffening", {}, "pad", 0.9, {{"exponent", 0.5 * (low + high), low, high, "1"}}};
+}
 
 /// Ten trials: what is hidden and what was said.
 struct Made {
     std::vector<TrialTruth> truths;
     std::vector<TrialResult> results;
     Made() {
-        const ClaimedEffect gain{"sensor-gain", {{"channel", "bogie_1"}}, "sensor", 0.9, {{"gain", 1.1, 1.0, 1.2, "1"}}};
+        const ClaimedEffect gain{
+            "sensor-gain", {{"channel", "bogie_1"}}, "sensor", 0.9, {{"gain", 1.1, 1.0, 1.2, "1"}}};
         const ClaimedEffect shear{"rail-shear", {}, "rail", 0.9, {}};
         const std::string stiffening = "pad-frequency-stiffening:exponent=0.1";
         add(TrialKind::nothing, {}, "consistent", {}, "");
         add(TrialKind::nothing, {}, "explained", {shear}, "rail");
-        add(TrialKind::single, {stiffening}, "explained", {exponent(0.08, 0.12)}, "pad", 0.2);   // right, concealed, covered
-        add(TrialKind::single, {"pad-frequency-stiffening:exponent=0.3"}, "explained", {exponent(0.1, 0.2)}, "pad");  // right, not covered
-        add(TrialKind::single, {"pad-frequency-stiffening:exponent=0.03"}, "consistent", {}, "", 0.1);  // missed, concealed
-        add(TrialKind::single, {"rail-shear"}, "explained", {gain}, "sensor");                   // sensor for physics
+        // right, concealed, covered
+        add(TrialKind::single, {stiffening}, "explained", {exponent(0.08, 0.12)}, "pad", 0.2);
+        // right, not covered
+        add(TrialKind::single, {"pad-frequency-stiffening:exponent=0.3"}, "explained", {exponent(0.1, 0.2)}, "pad");
+        // missed, concealed
+        add(TrialKind::single, {"pad-frequency-stiffening:exponent=0.03"}, "consistent", {}, "", 0.1);
+        add(TrialKind::single, {"rail-shear"}, "explained", {gain}, "sensor");  // sensor for physics
         add(TrialKind::pair, {stiffening, "rail-shear"}, "explained", {shear, exponent(0.05, 0.15)}, "rail");
         add(TrialKind::sensor, {"sensor-gain:channel=bogie_1,gain=1.3"}, "recording-fault", {gain}, "sensor");
-        add(TrialKind::sensor, {"sensor-gain:channel=bogie_2,gain=1.3"}, "recording-fault", {gain}, "sensor");  // another channel
+        // another channel
+        add(TrialKind::sensor, {"sensor-gain:channel=bogie_2,gain=1.3"}, "recording-fault", {gain}, "sensor");
         add(TrialKind::outside, {"bogie-coupling"}, "unexplained", {}, "bogie");
         add(TrialKind::outside, {"bogie-coupling"}, "explained", {shear}, "rail");
         add(TrialKind::single, {"rail-shear"}, "ambiguous", {}, "rail");
         results.back().rivals = {{{shear}, 0.6}, {{exponent(0.0, 1.0)}, 0.4}, {{shear}, 0.1}};
     }
-    void add(TrialKind kind, const std::vector<std::string>& hidden, const std::string& verdict, const std::vector<ClaimedEffect>& omitted,
-             const std::string& place, double retuned_db = 1.0) {
+    void add(TrialKind kind, const std::vector<std::string>& hidden, const std::string& verdict,
+             const std::vector<ClaimedEffect>& omitted, const std::string& place, double retuned_db = 1.0) {
         truths.push_back(truth_of(truths.size(), kind, hidden));
         results.push_back(result_of(results.size(), verdict, omitted, place, retuned_db));
     }
@@ -75,11 +84,11 @@ TEST(ProofScore, CountsAsByHand) {
     const ProofScore score = score_of(trials);
     expect_counts(score, "nulls_named", 1, 2);
     expect_counts(score, "detected", 9, 10);
-    expect_counts(score, "right_place", 7, 9);           // wrong: the sensor for the rail, and the rail for the bogie
+    expect_counts(score, "right_place", 7, 9);  // wrong: the sensor for the rail, and the rail for the bogie
     expect_counts(score, "right_place_of_all", 7, 10);
     expect_counts(score, "right_place_concealed", 1, 1);
     expect_counts(score, "right_place_of_all_concealed", 1, 2);
-    expect_counts(score, "right_effect", 4, 6);          // wrong: the sensor for the rail, and the other channel
+    expect_counts(score, "right_effect", 4, 6);  // wrong: the sensor for the rail, and the other channel
     expect_counts(score, "right_effect_of_detected", 4, 7);
     expect_counts(score, "truth_in_returned_set", 5, 7);
     expect_counts(score, "pairs_both_named", 1, 1);
@@ -87,9 +96,10 @@ TEST(ProofScore, CountsAsByHand) {
     expect_counts(score, "outside_confident_wrong_name", 1, 2);
     expect_counts(score, "sensor_named_for_physics", 1, 8);
     expect_counts(score, "physics_named_for_sensor", 0, 2);
-    expect_counts(score, "intervals_cover", 2, 4);       // exponents 0.1 of trial 2 and of the pair; not 0.3, not the gain 1.3 over 1.2
+    // exponents 0.1 of trial 2 and of the pair; not 0.3, not the gain 1.3 over 1.2
+    expect_counts(score, "intervals_cover", 2, 4);
     expect_counts(score, "number_intervals_cover", 5, 5);  // four right ones and the null
-    EXPECT_NEAR(score.mean_set_size, 8.0 / 7.0, 1e-12);  // the ambiguous one returns two
+    EXPECT_NEAR(score.mean_set_size, 8.0 / 7.0, 1e-12);    // the ambiguous one returns two
     EXPECT_EQ(score.confusion.at("pad-frequency-stiffening").at("pad-frequency-stiffening"), 2u);
     EXPECT_EQ(score.confusion.at("pad-frequency-stiffening").at("nothing"), 1u);
     EXPECT_EQ(score.confusion.at("pair").at("several"), 1u);
@@ -99,8 +109,18 @@ TEST(ProofScore, CountsAsByHand) {
 
 TEST(ProofScore, SaysWhatIsWrong) {
     const Made made;
-    const std::vector<std::string> expected{"", "named although nothing is missing", "", "", "missed", "sensor named for physics", "", "", "wrong effect", "",
-                                            "confident name for what the catalogue does not have", ""};
+    const std::vector<std::string> expected{"",
+                                            "named although nothing is missing",
+                                            "",
+                                            "",
+                                            "missed",
+                                            "sensor named for physics",
+                                            "",
+                                            "",
+                                            "wrong effect",
+                                            "",
+                                            "confident name for what the catalogue does not have",
+                                            ""};
     const std::vector<ScoredTrial> trials = judge_all(made.truths, made.results);
     for (std::size_t i = 0; i < trials.size(); ++i) EXPECT_EQ(trials[i].judgement.wrong, expected[i]) << i;
 }
@@ -189,7 +209,11 @@ TEST(TrialResult, RetunedIsWhatMayLeaveItsBeliefs) {
     diagnosis::Diagnosis diagnosis;
     diagnosis.omitted = {{.instance = {.effect = "parameter-error"}, .parameters = {{"factor", 1.5, 1.4, 1.6, "1"}}}};
     diagnosis.recordings = {{.name = "run", .averages = 20.0}};
-    diagnosis.channels = {{.recording = "run", .channel = "wheel_1", .measured = {1.0, 1.0}, .retuned = {0.5, 0.5}, .diagnosed = {1.0, 1.0}}};
+    diagnosis.channels = {{.recording = "run",
+                           .channel = "wheel_1",
+                           .measured = {1.0, 1.0},
+                           .retuned = {0.5, 0.5},
+                           .diagnosed = {1.0, 1.0}}};
     diagnosis.retuned = {2.9, -350.0}, diagnosis.held_out_retuned = {3.1, -20.0};
     const TrialResult kept = trial_result(1, diagnosis);
     EXPECT_EQ(kept.retuned.rms_db, 2.9);

@@ -29,18 +29,22 @@ const std::vector<TrialTruth>& drawn() {
 }
 
 TEST(TrialDraw, SameSeedAndNumberGiveTheSameBitsInAnyOrder) {
-    for (const std::size_t trial : {37u, 5u, 12u}) EXPECT_EQ(trial_truth_text(proof().draw(11, trial)), trial_truth_text(drawn()[trial]));
+    for (const std::size_t trial : {37u, 5u, 12u})
+        EXPECT_EQ(trial_truth_text(proof().draw(11, trial)), trial_truth_text(drawn()[trial]));
 }
 
-TEST(TrialDraw, AnotherSeedGivesOtherTrials) { EXPECT_NE(trial_truth_text(proof().draw(12, 3)), trial_truth_text(drawn()[3])); }
+TEST(TrialDraw, AnotherSeedGivesOtherTrials) {
+    EXPECT_NE(trial_truth_text(proof().draw(12, 3)), trial_truth_text(drawn()[3]));
+}
 
 TEST(TrialDraw, AnyBeginningHoldsTheMix) {
     const TrialMix mix;
     for (const std::size_t count : {40u, 100u, 200u}) {
         std::array<double, 6> kinds{};
         for (std::size_t i = 0; i < count; ++i) kinds[static_cast<std::size_t>(drawn()[i].kind)] += 1.0;
-        // Multiples of the golden section are spread more evenly than any others (Kuipers & Niederreiter 1974, section 2.3): a kind is
-        // off by two at most here, where independent draws of 200 trials would leave the singles off by 7 (one standard deviation).
+        // Multiples of the golden section are spread more evenly than any others (Kuipers & Niederreiter 1974,
+        // section 2.3): a kind is off by two at most here, where independent draws of 200 trials would leave the
+        // singles off by 7 (one standard deviation).
         for (std::size_t kind = 0; kind < kinds.size(); ++kind)
             EXPECT_NEAR(kinds[kind], mix.shares[kind] * static_cast<double>(count), 2.0) << kind;
     }
@@ -53,7 +57,8 @@ TEST(TrialDraw, EveryEffectTakesItsTurn) {
     const std::vector<std::string> all = drawable_effects(proof().file, TrialKind::single);
     EXPECT_EQ(singles, std::set<std::string>(all.begin(), all.end()));
     EXPECT_EQ(singles.count("sleeper-flexibility"), 0u) << "the paper's track has no sleepers";
-    EXPECT_EQ(singles.size() + 6u, diagnosis::effects().size()) << "all but sleepers, four sensor faults and parameter errors";
+    EXPECT_EQ(singles.size() + 6u, diagnosis::effects().size())
+        << "all but sleepers, four sensor faults and parameter errors";
 }
 
 TEST(TrialDraw, NumbersAreOffWithinTheirTolerances) {
@@ -81,7 +86,8 @@ TEST(TrialDraw, ParameterErrorsAreBeyondTolerance) {
         greater += factor > 1.0;
         ++all;
         const std::string key = truth.hidden.front().values.texts.at("parameter");
-        const auto number = std::find_if(truth.numbers.begin(), truth.numbers.end(), [&](const TrueNumber& n) { return n.key == key; });
+        const auto number =
+            std::find_if(truth.numbers.begin(), truth.numbers.end(), [&](const TrueNumber& n) { return n.key == key; });
         ASSERT_NE(number, truth.numbers.end());
         EXPECT_NEAR(true_value(truth, "parameter-error", key, "factor"), number->truth / number->believed, 1e-12);
         EXPECT_NEAR(number->truth / number->believed / factor, 1.0, 0.31) << "the tolerance comes on top";
@@ -100,7 +106,8 @@ TEST(TrialDraw, SpeedsAreApartAndStatedWithinTheirTolerance) {
             EXPECT_LE(record.speed_m_per_s, 40.0);
             EXPECT_NEAR(record.stated_speed_m_per_s / record.speed_m_per_s, 1.0, 0.005);
             for (const TrialRecord& other : truth.records)
-                EXPECT_TRUE(&other == &record || std::abs(std::log(other.speed_m_per_s / record.speed_m_per_s)) >= std::log(1.15));
+                EXPECT_TRUE(&other == &record ||
+                            std::abs(std::log(other.speed_m_per_s / record.speed_m_per_s)) >= std::log(1.15));
         }
     }
     EXPECT_EQ(counts, (std::set<std::size_t>{1, 2, 3}));
@@ -116,7 +123,8 @@ TEST(TrialDraw, ValuesLieWithinTheRangesOfSimulatorAndCatalogue) {
             for (const diagnosis::EffectParameter& parameter : effect->parameters) {
                 const auto value = hidden.values.numbers.find(parameter.name);
                 // A fraction of zero means that every n-th seat has failed instead.
-                if (value == hidden.values.numbers.end() || (parameter.name == "fraction" && value->second == 0.0)) continue;
+                if (value == hidden.values.numbers.end() || (parameter.name == "fraction" && value->second == 0.0))
+                    continue;
                 EXPECT_GE(value->second, parameter.low) << hidden.id << " " << parameter.name;
                 EXPECT_LE(value->second, parameter.high) << hidden.id << " " << parameter.name;
             }
@@ -129,9 +137,9 @@ TEST(TrialDraw, PlacesAreThoseOfTheCatalogue) {
             const diagnosis::Effect* effect = diagnosis::find_effect(hidden.id);
             if (!effect || hidden.id == "parameter-error") continue;
             const std::vector<std::string> places = true_places(truth);
-            EXPECT_TRUE(std::any_of(effect->elements.begin(), effect->elements.end(),
-                                    [&](diagnosis::Element element) { return std::find(places.begin(), places.end(), element_name(element)) != places.end(); }))
-                << hidden.id;
+            EXPECT_TRUE(std::any_of(effect->elements.begin(), effect->elements.end(), [&](diagnosis::Element element) {
+                return std::find(places.begin(), places.end(), element_name(element)) != places.end();
+            })) << hidden.id;
         }
 }
 
@@ -139,7 +147,9 @@ TEST(EffectDraws, StrengthsAreParametersThatAreDrawn) {
     for (const std::vector<EffectDraw>* draws : {&physics_draws(), &sensor_draws(), &outside_draws()})
         for (const EffectDraw& draw : *draws) {
             if (draw.strength.empty()) continue;
-            EXPECT_TRUE(std::any_of(draw.parameters.begin(), draw.parameters.end(), [&](const DrawnParameter& p) { return p.name == draw.strength; })) << draw.id;
+            EXPECT_TRUE(std::any_of(draw.parameters.begin(), draw.parameters.end(), [&](const DrawnParameter& p) {
+                return p.name == draw.strength;
+            })) << draw.id;
         }
 }
 

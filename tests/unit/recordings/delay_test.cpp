@@ -3,8 +3,8 @@
 #include <cmath>
 #include <random>
 
-#include "recordings/fourier_transform.hpp"
-#include "recordings/wheelbase_speed.hpp"
+#include "recordings/estimates/fourier_transform.hpp"
+#include "recordings/estimates/wheelbase_speed.hpp"
 #include "synthetic_record.hpp"
 
 namespace railpem::recordings {

@@ -6,11 +6,11 @@
 #include <random>
 
 #include "parameters/parameter_error.hpp"
-#include "recordings/confidence.hpp"
-#include "recordings/cross_spectra.hpp"
-#include "recordings/fourier_transform.hpp"
-#include "recordings/slepian_tapers.hpp"
-#include "recordings/spectral_lines.hpp"
+#include "recordings/estimates/confidence.hpp"
+#include "recordings/estimates/cross_spectra.hpp"
+#include "recordings/estimates/fourier_transform.hpp"
+#include "recordings/estimates/slepian_tapers.hpp"
+#include "recordings/estimates/spectral_lines.hpp"
 #include "synthetic_record.hpp"
 
 namespace railpem::recordings {

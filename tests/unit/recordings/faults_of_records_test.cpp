@@ -86,8 +86,7 @@ TEST(Faults, TimingSkewIsToldFromTheWheelbaseDelay) {
         EXPECT_NEAR(faults[0].value, skew, 2e-4) << faults[0].says;
     }
     // Another speed is no skew.
-    Recording faster =
-        make_record({.duration_s = 24.0, .sampling_rate_hz = 500.0, .speed_m_per_s = 40.0, .seed = 9});
+    Recording faster = make_record({.duration_s = 24.0, .sampling_rate_hz = 500.0, .speed_m_per_s = 40.0, .seed = 9});
     faster.description.speed_m_per_s = 40.0;
     EXPECT_TRUE(found(faster, FaultKind::timing_skew).empty());
 }

@@ -1,5 +1,5 @@
-// Every fault of single channels, planted at a stated size, is found in the right channel, and nothing else is claimed that is not a
-// consequence of it.
+// Every fault of single channels, planted at a stated size, is found in the right channel, and nothing else is claimed
+// that is not a consequence of it.
 
 #include <gtest/gtest.h>
 
@@ -81,7 +81,8 @@ TEST(Faults, ClippingAtThreeStandardDeviations) {
     EXPECT_NEAR(faults[0].value, 0.0027, 0.0015);
 }
 
-/// Limited, then through a filter of first order, as before sampling: where the limit held for long, too, no two values are the same any more.
+/// Limited, then through a filter of first order, as before sampling: where the limit held for long, too, no two values
+/// are the same any more.
 std::vector<double> limited_before_a_filter(std::vector<double> x, double limit) {
     for (double& v : x) v = std::clamp(v, -limit, limit);
     for (std::size_t n = 1; n < x.size(); ++n) x[n] = 0.3 * x[n - 1] + 0.7 * x[n];
@@ -130,7 +131,9 @@ TEST(Faults, PolarityOfALoneBodyChannelIsSaidToBeUndecided) {
 TEST(Faults, AnAxleBoxWithoutDelaysIsSaidToBeUnchecked) {
     Recording recording = sound();
     const auto unchecked = [](const InspectionReport& report) {
-        return std::any_of(report.not_checked.begin(), report.not_checked.end(), [](const std::string& words) { return words.rfind("timing, order and polarity of axlebox_2 by delays", 0) == 0; });
+        return std::any_of(report.not_checked.begin(), report.not_checked.end(), [](const std::string& words) {
+            return words.rfind("timing, order and polarity of axlebox_2 by delays", 0) == 0;
+        });
     };
     EXPECT_FALSE(unchecked(inspect(recording, context())));
     std::mt19937 random(3);

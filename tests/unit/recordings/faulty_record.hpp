@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "recordings/fourier_transform.hpp"
-#include "recordings/inspection.hpp"
+#include "recordings/estimates/fourier_transform.hpp"
+#include "recordings/inspection/inspection.hpp"
 #include "synthetic_record.hpp"
 
 namespace railpem::recordings::testing {

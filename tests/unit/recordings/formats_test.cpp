@@ -7,11 +7,11 @@
 #include <numbers>
 
 #include "parameters/parameter_error.hpp"
-#include "recordings/load_recording.hpp"
-#include "recordings/read_binary.hpp"
-#include "recordings/read_csv.hpp"
-#include "recordings/read_error.hpp"
-#include "recordings/uff.hpp"
+#include "recordings/files/read_binary.hpp"
+#include "recordings/files/read_csv.hpp"
+#include "recordings/files/read_error.hpp"
+#include "recordings/files/uff.hpp"
+#include "recordings/loading/load_recording.hpp"
 #include "recordings/units.hpp"
 #include "scratch_folder.hpp"
 

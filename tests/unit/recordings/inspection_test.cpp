@@ -4,10 +4,10 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
-#include "recordings/inspection_writers.hpp"
-#include "recordings/noise_floor.hpp"
-#include "recordings/order_track.hpp"
-#include "recordings/write_csv.hpp"
+#include "recordings/estimates/noise_floor.hpp"
+#include "recordings/estimates/order_track.hpp"
+#include "recordings/inspection/inspection_writers.hpp"
+#include "recordings/loading/write_csv.hpp"
 #include "scratch_folder.hpp"
 #include "synthetic_record.hpp"
 

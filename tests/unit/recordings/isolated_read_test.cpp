@@ -1,6 +1,6 @@
 // Whatever a library does to the process that reads for it, the program gets a refusal.
 
-#include "recordings/isolated_read.hpp"
+#include "recordings/files/isolated_read.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <csignal>
 #include <cstdlib>
 
-#include "recordings/read_error.hpp"
+#include "recordings/files/read_error.hpp"
 #include "scratch_folder.hpp"
 
 namespace railpem::recordings {

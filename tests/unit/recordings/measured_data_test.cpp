@@ -9,11 +9,11 @@
 #include <cstdlib>
 #include <numbers>
 
-#include "recordings/inspection_writers.hpp"
-#include "recordings/load_recording.hpp"
-#include "recordings/read_csv.hpp"
-#include "recordings/uff.hpp"
-#include "recordings/write_csv.hpp"
+#include "recordings/files/read_csv.hpp"
+#include "recordings/files/uff.hpp"
+#include "recordings/inspection/inspection_writers.hpp"
+#include "recordings/loading/load_recording.hpp"
+#include "recordings/loading/write_csv.hpp"
 #include "scratch_folder.hpp"
 
 namespace railpem::recordings {

@@ -9,10 +9,10 @@
 #include <numbers>
 #include <sstream>
 
-#include "recordings/inspection_words.hpp"
-#include "recordings/inspection_writers.hpp"
-#include "recordings/load_recording.hpp"
-#include "recordings/read_error.hpp"
+#include "recordings/files/read_error.hpp"
+#include "recordings/inspection/inspection_words.hpp"
+#include "recordings/inspection/inspection_writers.hpp"
+#include "recordings/loading/load_recording.hpp"
 #include "scratch_folder.hpp"
 
 namespace railpem::recordings {

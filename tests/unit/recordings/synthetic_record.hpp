@@ -8,9 +8,9 @@
 #include <numbers>
 #include <random>
 
-#include "recordings/fourier_transform.hpp"
+#include "recordings/estimates/fourier_transform.hpp"
+#include "recordings/estimates/wheelbase_speed.hpp"
 #include "recordings/recording.hpp"
-#include "recordings/wheelbase_speed.hpp"
 
 namespace railpem::recordings::testing {
 

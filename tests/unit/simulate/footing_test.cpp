@@ -1,4 +1,4 @@
-#include "simulate/footing.hpp"
+#include "simulate/track/footing.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,8 @@ constexpr double kNode_m = 0.6;
 
 /// Ten elements of 0.15 m.
 TrackWindow window(bool shears) {
-    track::RailParameters rail{.youngs_modulus_pa = 2.06e11, .second_moment_of_area_m4 = 3.22e-5, .mass_kg_per_m = 60.64};
+    track::RailParameters rail{
+        .youngs_modulus_pa = 2.06e11, .second_moment_of_area_m4 = 3.22e-5, .mass_kg_per_m = 60.64};
     if (shears) rail.beam = track::Beam::timoshenko;
     TrackWindow track;
     track.section = section_of(rail);
@@ -24,14 +25,16 @@ TrackWindow window(bool shears) {
 
 /// A load that is at `place` at the end of its step.
 Footing footing_at(const TrackWindow& track, double place_m) {
-    return footing(track, {.position_m = {place_m - (1.0 - RadauStep::first_stage) * kWay_m, place_m}, .force_n = {}}, 1);
+    return footing(track, {.position_m = {place_m - (1.0 - RadauStep::first_stage) * kWay_m, place_m}, .force_n = {}},
+                   1);
 }
 
 /// Where the parts of the load are, and their mean.
 double mean_place(const TrackWindow& track, const Footing& footing) {
     double mean = 0.0;
     for (std::size_t i = 0; i < footing.count; ++i) {
-        // The first and third shape function of an element are displacements of its nodes; of a straight rail they say the place.
+        // The first and third shape function of an element are displacements of its nodes; of a straight rail they say
+        // the place.
         Eigen::Vector4d straight;
         const double left = static_cast<double>(footing.parts[i].at.node) * track.element_m;
         straight << left, 1.0, left + track.element_m, 1.0;
@@ -55,7 +58,8 @@ TEST(Footing, SpreadKeepsForceAndMoment) {
     }
 }
 
-// Between nodes that do not move a string of the rail's shear stiffness: c(x, x') = (min(x, x') − x·x'/l')/κGA, averaged over both places of the load. Bending adds some 1e-3 of that.
+// Between nodes that do not move a string of the rail's shear stiffness: c(x, x') = (min(x, x') − x·x'/l')/κGA,
+// averaged over both places of the load. Bending adds some 1e-3 of that.
 TEST(Footing, GivesWayAsTheLoadThatIsSpread) {
     const TrackWindow track = window(true);
     const double flexibility = track.section.shear_flexibility_per_n, l = track.element_m;
@@ -71,15 +75,18 @@ TEST(Footing, GivesWayAsTheLoadThatIsSpread) {
     };
     for (const double part : {-0.3, 0.0, 0.2}) {
         const double before = (0.5 - part) * kWay_m, behind = kWay_m - before, share = before / kWay_m;
-        const double expected = share * share * mean(before) + (1.0 - share) * (1.0 - share) * mean(behind) + flexibility * kWay_m / 6.0;
-        EXPECT_NEAR(footing_at(track, kNode_m + part * kWay_m).local_compliance_m_per_n, expected, 3e-3 * expected) << part;
+        const double expected =
+            share * share * mean(before) + (1.0 - share) * (1.0 - share) * mean(behind) + flexibility * kWay_m / 6.0;
+        EXPECT_NEAR(footing_at(track, kNode_m + part * kWay_m).local_compliance_m_per_n, expected, 3e-3 * expected)
+            << part;
     }
 }
 
 // Where the spread begins its compliance goes on from that of a point, to the second order of the way.
 TEST(Footing, BeginsWithoutAStep) {
     const TrackWindow track = window(true);
-    const double point = footing_at(track, kNode_m + 0.5001 * kWay_m).local_compliance_m_per_n, spread = footing_at(track, kNode_m + 0.4999 * kWay_m).local_compliance_m_per_n;
+    const double point = footing_at(track, kNode_m + 0.5001 * kWay_m).local_compliance_m_per_n,
+                 spread = footing_at(track, kNode_m + 0.4999 * kWay_m).local_compliance_m_per_n;
     EXPECT_NEAR(spread, point, 0.05 * point);
 }
 

@@ -1,4 +1,4 @@
-#include "simulate/hidden_effects.hpp"
+#include "simulate/effects/hidden_effects.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,10 +4,10 @@
 #include <numbers>
 
 #include "parameters/parameter_error.hpp"
-#include "simulate/contact_law.hpp"
-#include "simulate/pad_curve.hpp"
-#include "simulate/relaxation_chain.hpp"
-#include "simulate/vehicle_model.hpp"
+#include "simulate/numerics/relaxation_chain.hpp"
+#include "simulate/track/pad_curve.hpp"
+#include "simulate/vehicle/contact_law.hpp"
+#include "simulate/vehicle/vehicle_model.hpp"
 #include "tests/verification/pem/paper_case.hpp"
 
 namespace railpem::simulate {
@@ -76,8 +76,8 @@ TEST(PadCurve, TangentFollowsTheLoad) {
     }
 }
 
-/// Through the points; at an inner one, neighbours at the same distance, the harmonic mean of the secants beside it (Fritsch & Butland 1984), at
-/// the ends and beyond them the secant.
+/// Through the points; at an inner one, neighbours at the same distance, the harmonic mean of the secants beside it
+/// (Fritsch & Butland 1984), at the ends and beyond them the secant.
 TEST(PadCurve, GivenPointByPoint) {
     auto c = tests::paper_case(3);
     track::PadParameters& pads = c.track.pads;
@@ -88,7 +88,8 @@ TEST(PadCurve, GivenPointByPoint) {
     const double unloaded = 20e3 + 60.0 * 9.81 * 0.6;
     const auto place = [&](std::size_t i) { return curve.compression(pads.curve_force_n[i] - unloaded); };
     const auto secant = [&](std::size_t i) { return (pads.curve_force_n[i + 1] - pads.curve_force_n[i]) / 0.5e-3; };
-    // A table in steps of 2 µm, of which lines and a cubic are drawn: over one step the slope changes by 0.2 % at most, over the curve it misses 1e-9 m.
+    // A table in steps of 2 µm, of which lines and a cubic are drawn: over one step the slope changes by 0.2 % at most,
+    // over the curve it misses 1e-9 m.
     for (std::size_t i = 1; i < 5; ++i) EXPECT_NEAR(place(i) - place(i - 1), 0.5e-3, 1e-8) << i;
     for (std::size_t i = 1; i < 4; ++i) {
         const double mean = 2.0 * secant(i - 1) * secant(i) / (secant(i - 1) + secant(i));

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "simulate/beam_element.hpp"
-#include "simulate/block_tridiagonal.hpp"
-#include "simulate/nonnegative_least_squares.hpp"
-#include "simulate/radau_step.hpp"
-#include "simulate/random_numbers.hpp"
+#include "simulate/numerics/block_tridiagonal.hpp"
+#include "simulate/numerics/nonnegative_least_squares.hpp"
+#include "simulate/numerics/radau_step.hpp"
+#include "simulate/numerics/random_numbers.hpp"
+#include "simulate/track/beam_element.hpp"
 
 namespace railpem::simulate {
 namespace {

@@ -6,9 +6,9 @@
 #include <sstream>
 
 #include "parameters/parameter_error.hpp"
-#include "simulate/profile.hpp"
-#include "simulate/sensor_chain.hpp"
-#include "simulate/simulate.hpp"
+#include "simulate/march/profile.hpp"
+#include "simulate/march/sensor_chain.hpp"
+#include "simulate/march/simulate.hpp"
 #include "spectra/irregularity_spectrum.hpp"
 #include "tests/verification/pem/paper_case.hpp"
 
@@ -87,25 +87,32 @@ TEST(Profile, JointsAreRaisedCosines) {
 /// Middles of the dips of 12 m on a line from −31 m of `length` m: where the height is lowest within 2 m of itself.
 std::vector<double> middles_of_dips(double length) {
     spectra::IrregularityParameters irregularity;
-    irregularity.bands = {{.family = spectra::Family::power_law, .shortest_wavelength_m = 0.1, .longest_wavelength_m = 1.0, .coefficient_m3 = 1e-30, .exponent = 3.0}};
+    irregularity.bands = {{.family = spectra::Family::power_law,
+                           .shortest_wavelength_m = 0.1,
+                           .longest_wavelength_m = 1.0,
+                           .coefficient_m3 = 1e-30,
+                           .exponent = 3.0}};
     irregularity.joints = {{.spacing_m = 12.0, .depth_m = 1e-3, .length_m = 0.8}};
     const Profile profile = draw_profile(irregularity, request_of(-31.0, -31.0 + length));
     std::vector<double> middles;
     for (double x = -29.0; x < length - 34.0; x += 0.01) {
         const double here = profile.at(x);
         bool lowest = here < profile.at(x - 2.0) - 0.5e-3;
-        for (double other = x - 0.4; lowest && other < x + 0.4; other += 0.01) lowest = profile.at(other) >= here - 1e-12;
+        for (double other = x - 0.4; lowest && other < x + 0.4; other += 0.01)
+            lowest = profile.at(other) >= here - 1e-12;
         if (lowest && (middles.empty() || x > middles.back() + 1.0)) middles.push_back(x);
     }
     return middles;
 }
 
-// Whatever the length of the line: the comb that tells joints is as sharp as their distances are equal. Looked for in steps of 0.01 m.
+// Whatever the length of the line: the comb that tells joints is as sharp as their distances are equal. Looked for in
+// steps of 0.01 m.
 TEST(Profile, JointsKeepTheirDistanceOnALineOfAnyLength) {
     for (const double length : {500.0, 507.3, 1337.7}) {
         const std::vector<double> middles = middles_of_dips(length);
         ASSERT_GT(middles.size(), static_cast<std::size_t>(length / 12.0) - 7);
-        for (std::size_t i = 1; i < middles.size(); ++i) EXPECT_NEAR(middles[i] - middles[i - 1], 12.0, 0.021) << length << " m, dip " << i;
+        for (std::size_t i = 1; i < middles.size(); ++i)
+            EXPECT_NEAR(middles[i] - middles[i - 1], 12.0, 0.021) << length << " m, dip " << i;
         EXPECT_NEAR(middles.back() - middles.front(), 12.0 * static_cast<double>(middles.size() - 1), 0.021);
     }
 }
@@ -263,8 +270,9 @@ TEST(Recording, WritersGiveHeaderRowsAndDescription) {
     write_csv(csv, recording);
     EXPECT_EQ(csv.str(), "time_s,axlebox_2,body_front\n0,1.5,0.125\n0.002,-0.25,3e-07\n");
     const std::string text = description(recording, "recording.csv");
-    const char* const wheel = "[[channel]]\nname = \"axlebox_2\"\ncolumn = \"axlebox_2\"\nquantity = \"acceleration\"\nunit = "
-                              "\"m/s^2\"\nlocation = \"wheel\"\nindex = 2\n";
+    const char* const wheel =
+        "[[channel]]\nname = \"axlebox_2\"\ncolumn = \"axlebox_2\"\nquantity = \"acceleration\"\nunit = "
+        "\"m/s^2\"\nlocation = \"wheel\"\nindex = 2\n";
     for (const char* expected : {"sampling_rate_hz = 500\n", "speed_m_per_s = 22.5\n", "payload_kg = 1200\n",
                                  "data = \"recording.csv\"\n", wheel, "location = \"body\"\nposition_m = 9\n"})
         EXPECT_NE(text.find(expected), std::string::npos) << expected;

@@ -11,7 +11,8 @@ namespace {
 
 IrregularityParameters irregularity() {
     IrregularityParameters result;
-    result.bands = {{.family = Family::fra, .shortest_wavelength_m = 0.1, .longest_wavelength_m = 100.0, .fra_class = 6}};
+    result.bands = {
+        {.family = Family::fra, .shortest_wavelength_m = 0.1, .longest_wavelength_m = 100.0, .fra_class = 6}};
     result.corrugation = {{.wavelength_m = 0.3, .relative_bandwidth = 0.1, .rms_m = 20e-6}};
     return result;
 }
@@ -33,8 +34,11 @@ TEST(LogSpline, WaveCorrectionEqualsLevelAndSlopeAndSparesCorrugation) {
     IrregularityParameters reference = irregularity(), corrected = irregularity();
     reference.level_db = 2.0;
     reference.slope_db_per_octave = -1.5;
-    const auto log_factor = [&](double wavelength) { return 0.1 * std::log(10.0) * (2.0 - 1.5 * std::log2(wavelength / 3.0)); };
-    corrected.wave_correction = {.wavelength_m = {0.05, 1.0, 200.0}, .log_factor = {log_factor(0.05), log_factor(1.0), log_factor(200.0)}};
+    const auto log_factor = [&](double wavelength) {
+        return 0.1 * std::log(10.0) * (2.0 - 1.5 * std::log2(wavelength / 3.0));
+    };
+    corrected.wave_correction = {.wavelength_m = {0.05, 1.0, 200.0},
+                                 .log_factor = {log_factor(0.05), log_factor(1.0), log_factor(200.0)}};
     for (const double n : {0.011, 0.2, 1.0, 3.3, 9.0})
         EXPECT_NEAR(irregularity_psd_m3(corrected, n) / irregularity_psd_m3(reference, n), 1.0, 1e-13) << n;
 }
@@ -45,7 +49,9 @@ TEST(LogSpline, FrequencyCorrectionActsInTimeOnly) {
     corrected.frequency_correction = {.frequency_hz = {10.0}, .log_factor = {std::log(1.2)}};
     for (const double f : {1.0, 30.0, 66.7}) {
         EXPECT_EQ(irregularity_psd_m3(corrected, f / 20.0), irregularity_psd_m3(plain, f / 20.0));
-        EXPECT_NEAR(irregularity_psd_m2_per_hz(corrected, f, 20.0) / irregularity_psd_m2_per_hz(plain, f, 20.0), 1.2, 1e-14) << f;
+        EXPECT_NEAR(irregularity_psd_m2_per_hz(corrected, f, 20.0) / irregularity_psd_m2_per_hz(plain, f, 20.0), 1.2,
+                    1e-14)
+            << f;
     }
 }
 

@@ -9,10 +9,10 @@
 
 #include "tests/unit/lanes/in_turn.hpp"
 #include "tests/unit/track/wei2016_track.hpp"
-#include "track/rolling_receptance.hpp"
-#include "track/exact_rail.hpp"
-#include "track/modal_rail.hpp"
-#include "track/seat_stiffness.hpp"
+#include "track/rail/exact_rail.hpp"
+#include "track/rail/modal_rail.hpp"
+#include "track/rail/rolling_receptance.hpp"
+#include "track/statics/seat_stiffness.hpp"
 
 namespace railpem::track {
 namespace {
@@ -20,13 +20,19 @@ namespace {
 using Complex = std::complex<double>;
 constexpr double kPad = 40e6;
 
-lanes::FactorCurve constant(Complex value) { return {.frequency_hz = {30.0}, .value = {value}}; }
+lanes::FactorCurve constant(Complex value) {
+    return {.frequency_hz = {30.0}, .value = {value}};
+}
 
 TrackParameters two_layer_track() {
     TrackParameters track = wei2016_track();
     track.rail.loss_factor = 0.01;
     track.rail_dampers = {{.mass_kg_per_m = 10.0, .frequency_hz = 150.0}};
-    track.support = {.model = SupportModel::two_layer, .mass_kg = 140.0, .stiffness_n_per_m = 60e6, .damping_n_s_per_m = 5e4, .loss_factor = 0.05};
+    track.support = {.model = SupportModel::two_layer,
+                     .mass_kg = 140.0,
+                     .stiffness_n_per_m = 60e6,
+                     .damping_n_s_per_m = 5e4,
+                     .loss_factor = 0.05};
     track.support.bending_modes = {{}};
     return track;
 }
@@ -55,7 +61,8 @@ std::vector<Complex> modal(const TrackParameters& track) {
     const ModalRail rail = modal_rail(track, pads, {0.0, 0.7}, 30);
     std::vector<Complex> values;
     for (const double f : {5.0, 60.0, 400.0}) {
-        const Eigen::VectorXcd seats = Eigen::VectorXcd::Constant(static_cast<Eigen::Index>(pads.size()), seat_stiffness(track, kPad, 1.0, f));
+        const Eigen::VectorXcd seats =
+            Eigen::VectorXcd::Constant(static_cast<Eigen::Index>(pads.size()), seat_stiffness(track, kPad, 1.0, f));
         const ModalReceptance found = modal_receptance(rail, f, seats);
         values.insert(values.end(), found.at_points.data(), found.at_points.data() + found.at_points.size());
         values.insert(values.end(), found.trackbed.data(), found.trackbed.data() + found.trackbed.size());
@@ -72,7 +79,8 @@ std::vector<Complex> rolling(const TrackParameters& track) {
     return values;
 }
 
-void expect_equal(const std::vector<Complex>& found, const std::vector<Complex>& expected, const std::vector<Complex>& plain, double tolerance) {
+void expect_equal(const std::vector<Complex>& found, const std::vector<Complex>& expected,
+                  const std::vector<Complex>& plain, double tolerance) {
     double change = 0.0;
     for (std::size_t i = 0; i < expected.size(); ++i) {
         EXPECT_NEAR(std::abs(found[i] / expected[i] - 1.0), 0.0, tolerance) << i;
@@ -98,14 +106,21 @@ class TrackCorrection : public testing::TestWithParam<Correction> {};
 
 TEST_P(TrackCorrection, EqualsTheScaledParameter) {
     using Solution = std::vector<Complex> (*)(const TrackParameters&);
-    const std::pair<Solution, TrackParameters> solutions[]{{exact, two_layer_track()}, {exact, timoshenko_track()}, {modal, two_layer_track()}, {rolling, two_layer_track()}};
+    const std::pair<Solution, TrackParameters> solutions[]{{exact, two_layer_track()},
+                                                           {exact, timoshenko_track()},
+                                                           {modal, two_layer_track()},
+                                                           {rolling, two_layer_track()}};
     for (const auto& [solve, plain] : solutions) {
         TrackParameters corrected = plain, scaled = plain;
         GetParam().correct(corrected);
         GetParam().reference(scaled);
-        // Rounding times the conditions: 1e5 of the modal stiffness. The quadrature of rolling wheels is as fine as the resonances that the stated laws have: a correction does not steer it, a loss factor
-        // does. Its own tolerance is 1e-5 of the receptance at the force, of which the first order is 1e-3.
-        expect_equal(solve(corrected), solve(scaled), solve(plain), solve == exact ? 1e-12 : solve == rolling ? 2e-3 : 1e-10);
+        // Rounding times the conditions: 1e5 of the modal stiffness. The quadrature of rolling wheels is as fine as the
+        // resonances that the stated laws have: a correction does not steer it, a loss factor does. Its own tolerance
+        // is 1e-5 of the receptance at the force, of which the first order is 1e-3.
+        expect_equal(solve(corrected), solve(scaled), solve(plain),
+                     solve == exact     ? 1e-12
+                     : solve == rolling ? 2e-3
+                                        : 1e-10);
     }
 }
 
@@ -114,7 +129,8 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Correction{"rail", [](TrackParameters& track) { track.rail.correction = constant(1.2); }, heavier},
                     Correction{"pads", [](TrackParameters& track) { track.pads.correction = constant(1.2); },
                                [](TrackParameters& track) {
-                                   // The shape takes the scale of the spring: K0 is given to the solutions from outside.
+                                   // The shape takes the scale of the spring: K0 is given to the solutions from
+                                   // outside.
                                    track.pads.reference_frequency_hz /= std::pow(1.2, 1.0 / track.pads.exponent);
                                    track.pads.damping_n_s_per_m *= 1.2;
                                }},

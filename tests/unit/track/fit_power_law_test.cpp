@@ -1,4 +1,4 @@
-#include "track/fit_power_law.hpp"
+#include "track/pads/fit_power_law.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <complex>
 #include <numbers>
 
-#include "track/pad_law.hpp"
+#include "track/pads/pad_law.hpp"
 
 namespace railpem::track {
 namespace {

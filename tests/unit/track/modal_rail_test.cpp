@@ -1,4 +1,4 @@
-#include "track/modal_rail.hpp"
+#include "track/rail/modal_rail.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 
 #include "parameters/parameter_error.hpp"
 #include "tests/unit/track/wei2016_track.hpp"
-#include "track/pad_positions.hpp"
-#include "track/rail_damper.hpp"
+#include "track/elements/rail_damper.hpp"
+#include "track/pads/pad_positions.hpp"
 
 namespace railpem::track {
 namespace {

@@ -1,11 +1,11 @@
-#include "track/moving_equilibrium.hpp"
+#include "track/statics/moving_equilibrium.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "tests/unit/track/wei2016_track.hpp"
-#include "track/pad_positions.hpp"
+#include "track/pads/pad_positions.hpp"
 
 namespace railpem::track {
 namespace {
@@ -31,7 +31,9 @@ TEST(PassingChange, IsCubicBetweenItsPointsAndNothingBeyond) {
     EXPECT_EQ(PassingChange{}.at(0.0), 0.0);
 }
 
-PassingChange change_at(const TrackParameters& track, double speed) { return passing_change(track, kWheels, kLoad_n, pad_history(track, kWheels, kLoad_n, speed)); }
+PassingChange change_at(const TrackParameters& track, double speed) {
+    return passing_change(track, kWheels, kLoad_n, pad_history(track, kWheels, kLoad_n, speed));
+}
 
 // The pads under the second wheel of a bogie have not yet risen again: they are pressed further, and stiffer.
 TEST(PassingChange, CreepStiffensThePadsUnderTheTrailingWheel) {
@@ -40,7 +42,8 @@ TEST(PassingChange, CreepStiffensThePadsUnderTheTrailingWheel) {
     EXPECT_GT(change.at(-10.2), change.at(-7.8) + 1e6);
 }
 
-// Pads without memory under a train that hardly moves: only the rail's inertia is left, (v/critical speed)² of what there is.
+// Pads without memory under a train that hardly moves: only the rail's inertia is left, (v/critical speed)² of what
+// there is.
 TEST(PassingChange, VanishesWithTheSpeed) {
     TrackParameters track = creeping_track();
     track.pads.exponent = 0.0;
@@ -48,7 +51,8 @@ TEST(PassingChange, VanishesWithTheSpeed) {
     EXPECT_LT(slow, 1e-2 * std::abs(change_at(track, kSpeed).at(10.2)));
 }
 
-// A wheel that passes meets the dynamic stiffness, 1.4 times the static one, which spreads its load: pads are pressed less than under a standing one.
+// A wheel that passes meets the dynamic stiffness, 1.4 times the static one, which spreads its load: pads are pressed
+// less than under a standing one.
 TEST(MovingEquilibrium, LessLoadOnThePadUnderTheWheelThanAtRest) {
     TrackParameters track = creeping_track();
     track.statics.second_moment_of_area_m4 = 5.24e-6;
@@ -63,7 +67,8 @@ TEST(MovingEquilibrium, LessLoadOnThePadUnderTheWheelThanAtRest) {
     }
     EXPECT_LT(least, 0.95 * most);
     EXPECT_GT(least, standing.unloaded_dynamic_stiffness_n_per_m);
-    EXPECT_NEAR(rolling.unloaded_dynamic_stiffness_n_per_m, standing.unloaded_dynamic_stiffness_n_per_m, 1e-4 * standing.unloaded_dynamic_stiffness_n_per_m);
+    EXPECT_NEAR(rolling.unloaded_dynamic_stiffness_n_per_m, standing.unloaded_dynamic_stiffness_n_per_m,
+                1e-4 * standing.unloaded_dynamic_stiffness_n_per_m);
 }
 
 // Where load does not matter all pads stay alike.
@@ -73,7 +78,8 @@ TEST(MovingEquilibrium, LinearPadsStayAlike) {
     const std::vector<double> pads = pad_positions(track, kWheels, 0);
     const PassingChange change = change_at(track, kSpeed);
     const StaticEquilibrium rolling = moving_equilibrium(track, kWheels, kLoad_n, pads, change);
-    for (const double stiffness : rolling.dynamic_stiffness_n_per_m) EXPECT_NEAR(stiffness, 1.4 * 26.7e6, 1e-6 * 1.4 * 26.7e6);
+    for (const double stiffness : rolling.dynamic_stiffness_n_per_m)
+        EXPECT_NEAR(stiffness, 1.4 * 26.7e6, 1e-6 * 1.4 * 26.7e6);
 }
 
 }  // namespace

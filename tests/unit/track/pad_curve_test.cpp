@@ -1,4 +1,4 @@
-#include "track/pad_curve.hpp"
+#include "track/pads/pad_curve.hpp"
 
 #include <gtest/gtest.h>
 
@@ -101,10 +101,12 @@ TEST(PadCurve, ForceFromAKnownPieceIsTheSame) {
     PadParameters pads;
     pads.static_stiffness_n_per_m = 26.7e6;
     const PadCurve straight = pad_curve(pads);
-    for (int i = 0; i <= 40; ++i) pads.curve_compression_m.push_back(1e-4 * i), pads.curve_force_n.push_back(1e3 * i + 20.0 * i * i);
+    for (int i = 0; i <= 40; ++i)
+        pads.curve_compression_m.push_back(1e-4 * i), pads.curve_force_n.push_back(1e3 * i + 20.0 * i * i);
     const PadCurve curve = pad_curve(pads);
     std::size_t piece = 1000;
-    for (const double s : {1e-3, 1.05e-3, 3.9e-3, 0.0, -1e-3, 2e-4, 1e-4, 5e-3, 2.22e-3, 4e-3}) EXPECT_EQ(pad_force(curve, s, piece), pad_force(curve, s)) << s;
+    for (const double s : {1e-3, 1.05e-3, 3.9e-3, 0.0, -1e-3, 2e-4, 1e-4, 5e-3, 2.22e-3, 4e-3})
+        EXPECT_EQ(pad_force(curve, s, piece), pad_force(curve, s)) << s;
     EXPECT_EQ(pad_force(straight, 1e-3, piece), pad_force(straight, 1e-3));
 }
 

@@ -1,4 +1,4 @@
-#include "track/pad_law.hpp"
+#include "track/pads/pad_law.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "track/pad_positions.hpp"
+#include "track/pads/pad_positions.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "tests/unit/track/wei2016_track.hpp"
-#include "track/static_equilibrium.hpp"
+#include "track/statics/static_equilibrium.hpp"
 
 namespace railpem::track {
 namespace {

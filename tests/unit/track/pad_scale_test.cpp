@@ -1,4 +1,4 @@
-#include "track/pad_scale.hpp"
+#include "track/pads/pad_scale.hpp"
 
 #include <gtest/gtest.h>
 

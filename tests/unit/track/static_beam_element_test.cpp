@@ -1,4 +1,4 @@
-#include "track/static_beam_element.hpp"
+#include "track/elements/static_beam_element.hpp"
 
 #include <gtest/gtest.h>
 

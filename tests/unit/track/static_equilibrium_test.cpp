@@ -1,4 +1,4 @@
-#include "track/static_equilibrium.hpp"
+#include "track/statics/static_equilibrium.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "parameters/parameter_error.hpp"
 #include "tests/unit/track/wei2016_track.hpp"
-#include "track/pad_curve.hpp"
+#include "track/pads/pad_curve.hpp"
 
 namespace railpem::track {
 namespace {
@@ -61,7 +61,8 @@ TEST(StaticEquilibrium, StartsFromANeighbour) {
     const StaticEquilibrium cold = static_equilibrium(track, wei2016_wheels_m, wei2016_wheel_load_n, pads);
     const StaticEquilibrium warm = static_equilibrium(track, wei2016_wheels_m, wei2016_wheel_load_n, pads, &neighbour);
     EXPECT_LT(warm.iterations, cold.iterations);
-    for (std::size_t j = 0; j < pads.size(); ++j) EXPECT_NEAR(warm.compression_m[j], cold.compression_m[j], 1e-10 * largest(cold.compression_m));
+    for (std::size_t j = 0; j < pads.size(); ++j)
+        EXPECT_NEAR(warm.compression_m[j], cold.compression_m[j], 1e-10 * largest(cold.compression_m));
 }
 
 TEST(StaticEquilibrium, NewtonConvergesQuadratically) {

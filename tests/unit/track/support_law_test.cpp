@@ -1,4 +1,4 @@
-#include "track/support_law.hpp"
+#include "track/pads/support_law.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "tests/unit/track/wei2016_track.hpp"
-#include "track/seat_stiffness.hpp"
+#include "track/statics/seat_stiffness.hpp"
 
 namespace railpem::track {
 namespace {

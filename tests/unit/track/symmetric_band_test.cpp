@@ -1,4 +1,4 @@
-#include "track/symmetric_band.hpp"
+#include "track/elements/symmetric_band.hpp"
 
 #include <gtest/gtest.h>
 

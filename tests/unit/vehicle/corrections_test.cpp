@@ -48,7 +48,8 @@ TEST_P(VehicleCorrection, EqualsTheScaledParameter) {
     VehicleParameters corrected = car(), scaled = car();
     GetParam().correct(corrected);
     GetParam().reference(scaled);
-    const HalfVehicle plain_car = half_vehicle(car()), corrected_car = half_vehicle(corrected), scaled_car = half_vehicle(scaled);
+    const HalfVehicle plain_car = half_vehicle(car()), corrected_car = half_vehicle(corrected),
+                      scaled_car = half_vehicle(scaled);
     Workspace plain_work(plain_car), corrected_work(corrected_car), scaled_work(scaled_car);
     const lanes::Real omega = lanes::tests::in_turn({4.0, 30.0, 170.0, 900.0});
     const WheelReceptance plain = wheel_receptance(plain_car, omega, plain_work);
@@ -60,16 +61,20 @@ TEST_P(VehicleCorrection, EqualsTheScaledParameter) {
             for (int lane = 0; lane < lanes::width; ++lane) {
                 const double size = std::abs(expected.at[place][wheel][lane]);
                 // Rounding of the entries times the condition of D.
-                EXPECT_NEAR(std::abs(found.at[place][wheel][lane] - expected.at[place][wheel][lane]), 0.0, 1e-12 * size) << place << wheel << lane;
-                change = std::max(change, std::abs(plain.at[place][wheel][lane] - expected.at[place][wheel][lane]) / size);
+                EXPECT_NEAR(std::abs(found.at[place][wheel][lane] - expected.at[place][wheel][lane]), 0.0, 1e-12 * size)
+                    << place << wheel << lane;
+                change =
+                    std::max(change, std::abs(plain.at[place][wheel][lane] - expected.at[place][wheel][lane]) / size);
             }
     EXPECT_GT(change, 0.01) << "the correction must be felt";
 }
 
 INSTANTIATE_TEST_SUITE_P(
     Places, VehicleCorrection,
-    testing::Values(Correction{"primary", [](VehicleParameters& v) { v.primary.correction = by_1_2; }, [](VehicleParameters& v) { scale(v.primary); }},
-                    Correction{"secondary", [](VehicleParameters& v) { v.secondary.correction = by_1_2; }, [](VehicleParameters& v) { scale(v.secondary); }},
+    testing::Values(Correction{"primary", [](VehicleParameters& v) { v.primary.correction = by_1_2; },
+                               [](VehicleParameters& v) { scale(v.primary); }},
+                    Correction{"secondary", [](VehicleParameters& v) { v.secondary.correction = by_1_2; },
+                               [](VehicleParameters& v) { scale(v.secondary); }},
                     Correction{"body", [](VehicleParameters& v) { v.body_correction = by_1_2; },
                                [](VehicleParameters& v) {
                                    v.body_mass_kg *= 1.2;
@@ -80,10 +85,12 @@ INSTANTIATE_TEST_SUITE_P(
                                    v.bogie_mass_kg *= 1.2;
                                    v.bogie_pitch_inertia_kg_m2 *= 1.2;
                                }},
-                    Correction{"wheel", [](VehicleParameters& v) { v.wheel_correction = by_1_2; }, [](VehicleParameters& v) { v.wheelset_mass_kg *= 1.2; }}),
+                    Correction{"wheel", [](VehicleParameters& v) { v.wheel_correction = by_1_2; },
+                               [](VehicleParameters& v) { v.wheelset_mass_kg *= 1.2; }}),
     [](const auto& tested) { return std::string(tested.param.name); });
 
-/// Largest difference of the receptances between wheels, relative to the largest of them; `mirrored`: of the second car seen from its other end.
+/// Largest difference of the receptances between wheels, relative to the largest of them; `mirrored`: of the second car
+/// seen from its other end.
 double difference(const VehicleParameters& first, const VehicleParameters& second, bool mirrored) {
     const HalfVehicle one = half_vehicle(first), other = half_vehicle(second);
     Workspace one_work(one), other_work(other);
@@ -94,7 +101,8 @@ double difference(const VehicleParameters& first, const VehicleParameters& secon
         for (int j = 0; j < 4; ++j)
             for (int lane = 0; lane < lanes::width; ++lane) {
                 size = std::max(size, std::abs(a.wheel(i, j)[lane]));
-                largest = std::max(largest, std::abs(a.wheel(i, j)[lane] - (mirrored ? b.wheel(3 - i, 3 - j) : b.wheel(i, j))[lane]));
+                largest = std::max(
+                    largest, std::abs(a.wheel(i, j)[lane] - (mirrored ? b.wheel(3 - i, 3 - j) : b.wheel(i, j))[lane]));
             }
     return largest / size;
 }
@@ -117,7 +125,9 @@ TEST(CorrectionOfASingleOne, IsMirroredByTheOtherEndAndIsNotTheNextOne) {
     EXPECT_GT(difference(first, second, false), 0.01);
 }
 
-Attachments at_both_ends(const lanes::FactorCurve& curve) { return {.centre = {}, .front = curve, .rear = curve}; }
+Attachments at_both_ends(const lanes::FactorCurve& curve) {
+    return {.centre = {}, .front = curve, .rear = curve};
+}
 
 TEST(Attachment, AtFrontAndRearIsInertiaAgainstBothMotions) {
     // (z + rθ)² + (z − rθ)² = 2(z² + r²θ²): a tenth of the mass at each end is a fifth of mass and pitch inertia.
@@ -155,33 +165,41 @@ TEST(Attachment, BetweenTheBogiesHoldsThemTogether) {
     const WheelReceptance found = wheel_receptance(model, lanes::tests::in_turn({4.0, 30.0, 170.0, 900.0}), work);
     for (std::size_t wheel = 0; wheel < 4; ++wheel)
         for (int lane = 0; lane < lanes::width; ++lane) {
-            const std::complex<double> first = found.at[static_cast<int>(Place::bogie_1)][wheel][lane], second = found.at[static_cast<int>(Place::bogie_2)][wheel][lane];
+            const std::complex<double> first = found.at[static_cast<int>(Place::bogie_1)][wheel][lane],
+                                       second = found.at[static_cast<int>(Place::bogie_2)][wheel][lane];
             EXPECT_LE(std::abs(first - second), 1e-6 * std::abs(first));
         }
 }
 
 TEST(Attachment, AtTheFrontHoldsTheFront) {
-    // 1e9 times the body's mass a radius of gyration (8.1 m) ahead of its centre: it turns about that point, and the front pivot (9 m) hardly moves.
+    // 1e9 times the body's mass a radius of gyration (8.1 m) ahead of its centre: it turns about that point, and the
+    // front pivot (9 m) hardly moves.
     VehicleParameters held = car();
     held.body_bending.clear();
     held.body_attachments.front = {.frequency_hz = {30.0}, .value = {1e9}};
     const HalfVehicle model = half_vehicle(held);
     Workspace work(model);
     const WheelReceptance found = wheel_receptance(model, lanes::tests::in_turn({4.0, 30.0, 170.0, 900.0}), work);
-    const auto &front = found.at[static_cast<int>(Place::body_front)], &rear = found.at[static_cast<int>(Place::body_rear)];
+    const auto &front = found.at[static_cast<int>(Place::body_front)],
+               &rear = found.at[static_cast<int>(Place::body_rear)];
     for (int lane = 0; lane < lanes::width; ++lane) EXPECT_LT(std::abs(front[3][lane]), 0.1 * std::abs(rear[3][lane]));
 }
 
 TEST(Attachment, BetweenTheBogiesActsTowardsTheMiddleOfTheCar) {
-    // (z₁ + rθ₁) − (z₂ − rθ₂): at the front of bogie 1 and at the rear of bogie 2, so that the outer wheels feel it more than the inner ones.
+    // (z₁ + rθ₁) − (z₂ − rθ₂): at the front of bogie 1 and at the rear of bogie 2, so that the outer wheels feel it
+    // more than the inner ones.
     VehicleParameters outer = car(), inner = car();
     outer.between_bogies.front = inner.between_bogies.rear = {.frequency_hz = {30.0}, .value = {1e3}};
     EXPECT_LE(difference(outer, outer, true), 1e-9);
     const HalfVehicle held_outside = half_vehicle(outer), held_inside = half_vehicle(inner);
     Workspace outside_work(held_outside), inside_work(held_inside);
     const lanes::Real omega = lanes::tests::in_turn({4.0, 30.0, 170.0, 900.0});
-    const WheelReceptance outside = wheel_receptance(held_outside, omega, outside_work), inside = wheel_receptance(held_inside, omega, inside_work);
-    const auto transmitted = [](const WheelReceptance& own, std::size_t wheel) { return std::abs(own.at[static_cast<int>(Place::bogie_2)][wheel][3]); };  // at 900 rad/s the bogies are free
+    const WheelReceptance outside = wheel_receptance(held_outside, omega, outside_work),
+                          inside = wheel_receptance(held_inside, omega, inside_work);
+    // at 900 rad/s the bogies are free
+    const auto transmitted = [](const WheelReceptance& own, std::size_t wheel) {
+        return std::abs(own.at[static_cast<int>(Place::bogie_2)][wheel][3]);
+    };
     EXPECT_GT(transmitted(outside, 0), 3.0 * transmitted(outside, 1));
     EXPECT_GT(transmitted(inside, 1), 3.0 * transmitted(inside, 0));
 }
@@ -192,7 +210,8 @@ TEST(SuspensionCorrection, ActsOnFrictionTooAndAtItsOwnFrequency) {
     const lanes::Complex plain = suspension_stiffness(law, 1e4, omega);
     law.correction = {.frequency_hz = {1.0, 100.0}, .value = {{1.0, 0.1}, {1.5, -0.2}}};
     const lanes::Complex found = suspension_stiffness(law, 1e4, omega);
-    for (int lane = 0; lane < lanes::width; ++lane) EXPECT_NEAR(std::abs(found[lane] / plain[lane] - law.correction.at(omega[lane])), 0.0, 1e-15);
+    for (int lane = 0; lane < lanes::width; ++lane)
+        EXPECT_NEAR(std::abs(found[lane] / plain[lane] - law.correction.at(omega[lane])), 0.0, 1e-15);
 }
 
 }  // namespace

@@ -22,7 +22,8 @@ TEST(ForceSpectrum, WeightsShareEveryFrequency) {
 
 // Half-way between the nodes on the logarithmic axis: the reference's geometric mean, the shares' arithmetic one.
 TEST(ForceSpectrum, ReferenceTimesShare) {
-    const ForceSpectrum force{.frequency_hz = kNodes, .reference_n2_per_hz = {1.0, 100.0, 4.0}, .share = {0.2, 0.4, 0.0}};
+    const ForceSpectrum force{
+        .frequency_hz = kNodes, .reference_n2_per_hz = {1.0, 100.0, 4.0}, .share = {0.2, 0.4, 0.0}};
     EXPECT_NEAR(force.at(2.0), 0.2, 1e-14);
     EXPECT_NEAR(force.at(4.0), 10.0 * 0.3, 1e-13);
     EXPECT_NEAR(force.at(16.0), 20.0 * 0.2, 1e-13);

@@ -1,5 +1,6 @@
-// The expectation on its grids against finer ones, judged by what the channels say that the others do not: an axle box follows its
-// neighbours so closely that 1e-5 of its power is all that is its own, and that is where a false alarm begins.
+// The expectation on its grids against finer ones, judged by what the channels say that the others do not: an axle box
+// follows its neighbours so closely that 1e-5 of its power is all that is its own, and that is where a false alarm
+// begins.
 
 #include <gtest/gtest.h>
 
@@ -34,13 +35,16 @@ TEST_P(ExpectationGrid, IsFineEnoughForWhatAChannelSaysAlone) {
     const ExpectedSpectra finer = expected_spectra(parameters, GetParam(), o.kernel, o.channels, {}, fine);
     double worst = 0.0;
     for (std::size_t bin = 0; bin < own.bins(); ++bin)
-        for (long c = 0; c < 9; ++c) worst = std::max(worst, std::abs(own_power(own, bin, c) / own_power(finer, bin, c) - 1.0));
-    // 30 averages over some 700 bins know a channel's own power to 1/√(30·10) = 6 % in a third octave of the lowest ten bins; a third of that.
+        for (long c = 0; c < 9; ++c)
+            worst = std::max(worst, std::abs(own_power(own, bin, c) / own_power(finer, bin, c) - 1.0));
+    // 30 averages over some 700 bins know a channel's own power to 1/√(30·10) = 6 % in a third octave of the lowest ten
+    // bins; a third of that.
     EXPECT_LE(worst, 0.02);
 }
 
-INSTANTIATE_TEST_SUITE_P(Speeds, ExpectationGrid, testing::Values(15.0, 22.2222, 33.0),
-                         [](const auto& tested) { return std::to_string(static_cast<int>(tested.param)) + "_m_per_s"; });
+INSTANTIATE_TEST_SUITE_P(Speeds, ExpectationGrid, testing::Values(15.0, 22.2222, 33.0), [](const auto& tested) {
+    return std::to_string(static_cast<int>(tested.param)) + "_m_per_s";
+});
 
 }  // namespace
 }  // namespace railpem::diagnosis

@@ -20,7 +20,8 @@ Diagnosis with_a_wrong_number(double tolerance, double factor) {
     DiagnoseOptions options{.threads = 2};
     for (const Effect& effect : effects())
         if (effect.id != "parameter-error") options.naming.without.push_back(effect.id);
-    Synthesised made = synthesised(paper_believed({key, "vehicle.primary.damping_n_s_per_m"}), {20.0}, 60.0, {"bogie_1", "wheel_1"}, kSmall);
+    Synthesised made = synthesised(paper_believed({key, "vehicle.primary.damping_n_s_per_m"}), {20.0}, 60.0,
+                                   {"bogie_1", "wheel_1"}, kSmall);
     made.believed.uncertain.front().tolerance = tolerance;
     number_at(made.truth.numbers, key) *= factor;
     made.draw(7);
@@ -31,8 +32,12 @@ TEST(GivenUpBelief, IsHeldAgainstTheCaseThatKeepsIt) {
     const Diagnosis found = with_a_wrong_number(0.1, 1.6);
     ASSERT_EQ(found.verdict, Verdict::explained) << found.statement;
     ASSERT_TRUE(found.freely_retuned.has_value());
-    EXPECT_LT(std::abs(found.held_out_after.log_likelihood_per_second - found.freely_retuned->held_out.log_likelihood_per_second), 2.0 / kHeldOut_s) << "retuning went there, too";
-    const double gain = kHeldOut_s * (found.held_out_after.log_likelihood_per_second - found.held_out_retuned.log_likelihood_per_second);
+    EXPECT_LT(std::abs(found.held_out_after.log_likelihood_per_second -
+                       found.freely_retuned->held_out.log_likelihood_per_second),
+              2.0 / kHeldOut_s)
+        << "retuning went there, too";
+    const double gain = kHeldOut_s * (found.held_out_after.log_likelihood_per_second -
+                                      found.held_out_retuned.log_likelihood_per_second);
     EXPECT_GT(gain, 10.0);
     EXPECT_NEAR(found.omitted.front().nats_held_out, gain, 1e-6 * gain) << "the table says what the sentence says";
     EXPECT_GT(found.hidden_by_retuning, 0.99) << "calibration finds the value and hides that the belief was wrong";

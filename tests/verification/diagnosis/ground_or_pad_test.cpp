@@ -4,9 +4,9 @@
 
 #include <cstdio>
 
-#include "diagnosis/fitted_set.hpp"
-#include "diagnosis/ground_resonance.hpp"
-#include "diagnosis/locate.hpp"
+#include "diagnosis/hypotheses/fitted_set.hpp"
+#include "diagnosis/hypotheses/locate.hpp"
+#include "diagnosis/judge/ground_resonance.hpp"
 #include "tests/unit/diagnosis/synthesised_fixture.hpp"
 
 namespace railpem::diagnosis {
@@ -14,8 +14,9 @@ namespace {
 
 /// The place of what each wheel meets by itself.
 Element place_of(const pem::WheelsOwn& own) {
-    Synthesised made = synthesised(paper_believed({"vehicle.bogie_mass_kg", "vehicle.wheelset_mass_kg", "vehicle.primary.stiffness_n_per_m"}), {15.0, 80.0 / 3.6}, 60.0, nine_channels(),
-                                   {.window_s = 2.0, .low_hz = 2.0, .high_hz = 120.0});
+    Synthesised made = synthesised(
+        paper_believed({"vehicle.bogie_mass_kg", "vehicle.wheelset_mass_kg", "vehicle.primary.stiffness_n_per_m"}),
+        {15.0, 80.0 / 3.6}, 60.0, nine_channels(), {.window_s = 2.0, .low_hz = 2.0, .high_hz = 120.0});
     made.truth.numbers.wheels_own = own;
     made.draw(5);
     const LikelihoodContext context = made.context(Part::fitted, 2);
@@ -23,21 +24,33 @@ Element place_of(const pem::WheelsOwn& own) {
     const std::vector<LocatedEvidence> places = locate(retuned.fit, context);
     EXPECT_EQ(places.front().place.element, Element::pad);
     PlaceStudy study;
-    study.anonymous = {fit_correction(made.believed, retuned, places.front(), context, {.iterations = 12, .from_far = false})};
+    study.anonymous = {
+        fit_correction(made.believed, retuned, places.front(), context, {.iterations = 12, .from_far = false})};
     for (const double share : study.anonymous.front().fit.trial.numbers.wheels_own.share) std::printf("%.5f ", share);
     std::printf("\n");
     tell_ground_from_pads(study);
     return study.anonymous.front().anonymous.front().element;
 }
 
-// Ground at 31 Hz that wanders by a third either way, at a node of the correction (nodes at 15.5, 30.6 and 60.6 Hz here).
-TEST(GroundOrPad, ResonancesAreOfTheGround) { EXPECT_EQ(place_of({.frequency_hz = {18.0, 24.0, 31.0, 40.0, 52.0}, .share = {0.0, 0.003, 0.006, 0.003, 0.0}}), Element::support); }
+// Ground at 31 Hz that wanders by a third either way, at a node of the correction (nodes at 15.5, 30.6 and 60.6 Hz
+// here).
+TEST(GroundOrPad, ResonancesAreOfTheGround) {
+    EXPECT_EQ(place_of({.frequency_hz = {18.0, 24.0, 31.0, 40.0, 52.0}, .share = {0.0, 0.003, 0.006, 0.003, 0.0}}),
+              Element::support);
+}
 
 // Half way from one node to the next.
-TEST(GroundOrPad, ResonancesBetweenNodesAreToo) { EXPECT_EQ(place_of({.frequency_hz = {26.0, 34.0, 43.0, 54.0, 70.0}, .share = {0.0, 0.003, 0.006, 0.003, 0.0}}), Element::support); }
+TEST(GroundOrPad, ResonancesBetweenNodesAreToo) {
+    EXPECT_EQ(place_of({.frequency_hz = {26.0, 34.0, 43.0, 54.0, 70.0}, .share = {0.0, 0.003, 0.006, 0.003, 0.0}}),
+              Element::support);
+}
 
 // As a play of 0.1 mm distorts.
-TEST(GroundOrPad, WhatRisesToTheEndIsOfThePads) { EXPECT_EQ(place_of({.frequency_hz = {9.0, 18.7, 39.4, 83.1, 120.0}, .share = {0.0, 0.0004, 0.0003, 0.0015, 0.0025}}), Element::pad); }
+TEST(GroundOrPad, WhatRisesToTheEndIsOfThePads) {
+    EXPECT_EQ(
+        place_of({.frequency_hz = {9.0, 18.7, 39.4, 83.1, 120.0}, .share = {0.0, 0.0004, 0.0003, 0.0015, 0.0025}}),
+        Element::pad);
+}
 
 }  // namespace
 }  // namespace railpem::diagnosis

@@ -12,10 +12,10 @@
 #include <numbers>
 
 #include "paper_case.hpp"
-#include "pem/solution.hpp"
+#include "pem/coupling/solution.hpp"
 #include "spectra/third_octaves.hpp"
-#include "track/fit_power_law.hpp"
-#include "track/pad_law.hpp"
+#include "track/pads/fit_power_law.hpp"
+#include "track/pads/pad_law.hpp"
 
 namespace {
 

@@ -1,5 +1,6 @@
 #pragma once
-// The paper's cases as data (Wei et al. 2016, Tables 1 to 3), typed in here once more and independent of the case files.
+// The paper's cases as data (Wei et al. 2016, Tables 1 to 3), typed in here once more and independent of the case
+// files.
 
 #include "pem/case_parameters.hpp"
 
@@ -28,9 +29,13 @@ inline pem::CaseParameters paper_case(int number) {
     c.track.statics.wheel_load_n = 80e3;
     c.track.statics.rail_weight_kg_per_m = 60.0;
     if (number == 3) c.track.statics.second_moment_of_area_m4 = 5.24e-6;  // as published
-    c.irregularity.bands = {{.family = spectra::Family::fra, .shortest_wavelength_m = 1.0, .longest_wavelength_m = 100.0, .fra_class = 6},
-                            {.family = spectra::Family::power_law, .shortest_wavelength_m = 0.1, .longest_wavelength_m = 1.0,
-                             .coefficient_m3 = 0.036e-6, .exponent = 3.15}};
+    c.irregularity.bands = {
+        {.family = spectra::Family::fra, .shortest_wavelength_m = 1.0, .longest_wavelength_m = 100.0, .fra_class = 6},
+        {.family = spectra::Family::power_law,
+         .shortest_wavelength_m = 0.1,
+         .longest_wavelength_m = 1.0,
+         .coefficient_m3 = 0.036e-6,
+         .exponent = 3.15}};
     c.running.speeds_m_per_s = {kPaperSpeed};
     return c;
 }

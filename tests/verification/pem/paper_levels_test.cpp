@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "app/case_schema.hpp"
-#include "pem/rail_model.hpp"
-#include "pem/solution.hpp"
+#include "app/schema/case_schema.hpp"
+#include "pem/coupling/solution.hpp"
+#include "pem/rail/rail_model.hpp"
 
 namespace {
 

@@ -1,5 +1,6 @@
-// The train over a periodic track by Bloch waves that the deviating seats scatter, against the same one place at a time: an equilibrium
-// of its own from the unloaded track, and the whole matrix of receptances by condensation of finite elements of rail.
+// The train over a periodic track by Bloch waves that the deviating seats scatter, against the same one place at a
+// time: an equilibrium of its own from the unloaded track, and the whole matrix of receptances by condensation of
+// finite elements of rail.
 
 #include <gtest/gtest.h>
 
@@ -8,10 +9,10 @@
 #include <numbers>
 
 #include "every_track_effect.hpp"
-#include "pem/passing_lines.hpp"
-#include "pem/passing_positions.hpp"
-#include "pem/rail_model.hpp"
-#include "track/exact_rail.hpp"
+#include "pem/coupling/passing_lines.hpp"
+#include "pem/rail/passing_positions.hpp"
+#include "pem/rail/rail_model.hpp"
+#include "track/rail/exact_rail.hpp"
 
 namespace {
 
@@ -20,7 +21,8 @@ using Complex = std::complex<double>;
 
 lanes::Real spread(double frequency, double ratio) {
     lanes::Real omega{};
-    for (int lane = 0; lane < lanes::width; ++lane) omega[lane] = 2.0 * std::numbers::pi * frequency * std::pow(ratio, lane);
+    for (int lane = 0; lane < lanes::width; ++lane)
+        omega[lane] = 2.0 * std::numbers::pi * frequency * std::pow(ratio, lane);
     return omega;
 }
 
@@ -34,11 +36,13 @@ std::vector<lanes::Complex> one_place(pem::CaseParameters c, double bay_share, i
     const track::RailReceptance& receptance = track::rail_receptance(rail, omega, workspace);
     std::vector<lanes::Complex> sum(wheels.size());
     for (std::size_t i = 0; i < wheels.size(); ++i)
-        for (std::size_t j = 0; j < wheels.size(); ++j) sum[i] += receptance.at(static_cast<int>(i), static_cast<int>(j));
+        for (std::size_t j = 0; j < wheels.size(); ++j)
+            sum[i] += receptance.at(static_cast<int>(i), static_cast<int>(j));
     return sum;
 }
 
-double difference(const pem::CaseParameters& c, const std::vector<double>& shares, const std::vector<int>& first_seats, lanes::Real omega) {
+double difference(const pem::CaseParameters& c, const std::vector<double>& shares, const std::vector<int>& first_seats,
+                  lanes::Real omega) {
     const std::vector<double> wheels = vehicle::wheel_positions(c.vehicle);
     const pem::PassingPositions positions(c, wheels, shares, first_seats);
     const std::vector<lanes::Complex> found = positions.deflection(omega);
@@ -48,7 +52,8 @@ double difference(const pem::CaseParameters& c, const std::vector<double>& share
             const std::vector<lanes::Complex> direct = one_place(c, shares[b], first_seats[s], omega);
             for (std::size_t i = 0; i < wheels.size(); ++i)
                 for (int lane = 0; lane < lanes::width; ++lane) {
-                    const Complex value = found[positions.place(b, s) * wheels.size() + i][lane], expected = direct[i][lane];
+                    const Complex value = found[positions.place(b, s) * wheels.size() + i][lane],
+                                  expected = direct[i][lane];
                     largest = std::max(largest, std::abs(value - expected) / std::abs(expected));
                 }
         }
@@ -58,22 +63,27 @@ double difference(const pem::CaseParameters& c, const std::vector<double>& share
 const std::vector<double> kShares{0.0, 1.0 / 12.0, 0.5, 0.9};
 const std::vector<int> kSeats{0, -1, -2, -5, -7};
 
-/// The direct rail leaves seats out that differ by less than 1e-10, and both equilibria end within 1e-10 of the load: 1e-9.
+/// The direct rail leaves seats out that differ by less than 1e-10, and both equilibria end within 1e-10 of the load:
+/// 1e-9.
 constexpr double kBoth = 1e-9;
 
 TEST(PassingPositions, EveryTrackEffectAgreesWithOnePlaceAtATime) {
     const pem::CaseParameters c = tests::every_track_effect();
-    for (const double f : {0.5, 4.6, 30.0, 100.0, 140.0, 400.0}) EXPECT_LT(difference(c, kShares, kSeats, spread(f, 1.07)), kBoth) << f;
+    for (const double f : {0.5, 4.6, 30.0, 100.0, 140.0, 400.0})
+        EXPECT_LT(difference(c, kShares, kSeats, spread(f, 1.07)), kBoth) << f;
 }
 
 TEST(PassingPositions, TheSimplestTrackAgreesToo) {
     pem::CaseParameters c = tests::paper_case(1);
-    for (const double f : {0.5, 37.0, 160.0, 900.0, 1100.0, 3000.0}) EXPECT_LT(difference(c, kShares, {0}, spread(f, 1.07)), kBoth) << f;
+    for (const double f : {0.5, 37.0, 160.0, 900.0, 1100.0, 3000.0})
+        EXPECT_LT(difference(c, kShares, {0}, spread(f, 1.07)), kBoth) << f;
     c.track.failed_fasteners = {{.every = 3, .remaining_stiffness_fraction = 0.3}};
-    for (const double f : {0.5, 37.0, 160.0, 900.0, 1100.0, 3000.0}) EXPECT_LT(difference(c, kShares, {0, -1, -2}, spread(f, 1.07)), kBoth) << f;
+    for (const double f : {0.5, 37.0, 160.0, 900.0, 1100.0, 3000.0})
+        EXPECT_LT(difference(c, kShares, {0, -1, -2}, spread(f, 1.07)), kBoth) << f;
 }
 
-/// Distances of the wheels that are no whole numbers of bays, and pads that the rail leaves and that leave their measured range.
+/// Distances of the wheels that are no whole numbers of bays, and pads that the rail leaves and that leave their
+/// measured range.
 TEST(PassingPositions, HardCasesOfTheEquilibriumAgree) {
     pem::CaseParameters c = tests::paper_case(3);
     c.vehicle.wheelbase_m = 2.5;
@@ -81,19 +91,21 @@ TEST(PassingPositions, HardCasesOfTheEquilibriumAgree) {
     c.track.statics.clip_preload_n = 200.0;
     c.track.failed_fasteners = {{.every = 2, .remaining_stiffness_fraction = 0.0}};
     EXPECT_LT(difference(c, kShares, {0, -1}, spread(20.0, 1.3)), kBoth);
-    c.track.support = {.model = track::SupportModel::two_layer, .mass_kg = 150.0, .stiffness_n_per_m = 20e6, .loss_factor = 0.5};
+    c.track.support = {
+        .model = track::SupportModel::two_layer, .mass_kg = 150.0, .stiffness_n_per_m = 20e6, .loss_factor = 0.5};
     c.track.statics.wheel_load_n = 140e3;
     EXPECT_LT(difference(c, kShares, {0, -1}, spread(20.0, 1.3)), kBoth);
 }
 
-/// Without damping the outgoing wave is told from the incoming one by a limit, and waves draw near each other at the cut-on frequency of
-/// the rail on its pads, 161 Hz. 1e-8: both ways lose digits there.
+/// Without damping the outgoing wave is told from the incoming one by a limit, and waves draw near each other at the
+/// cut-on frequency of the rail on its pads, 161 Hz. 1e-8: both ways lose digits there.
 TEST(PassingPositions, NoDampingAndTheEdgeOfThePassBand) {
     pem::CaseParameters c = tests::paper_case(1);
     c.track.pads.damping_n_s_per_m = 0.0;
     c.track.failed_fasteners = {{.every = 4}};
     const double cut_on = std::sqrt(1.4 * 26.7e6 / 0.6 / 60.64) / (2.0 * std::numbers::pi);
-    for (const double f : {30.0, 0.999 * cut_on, cut_on, 1.2 * cut_on}) EXPECT_LT(difference(c, kShares, {0, -1, -2, -3}, spread(f, 1.0 + 1e-5)), 1e-8) << f;
+    for (const double f : {30.0, 0.999 * cut_on, cut_on, 1.2 * cut_on})
+        EXPECT_LT(difference(c, kShares, {0, -1, -2, -3}, spread(f, 1.0 + 1e-5)), 1e-8) << f;
 }
 
 /// Two wheels in one bay: left to the elements.
@@ -104,7 +116,8 @@ TEST(PassingPositions, WheelsThatShareABay) {
     EXPECT_LT(difference(c, {0.99}, {0, -1}, spread(20.0, 1.3)), kBoth);
 }
 
-/// The lines themselves: Fourier coefficients over the period, place by place and order by order, at half the frequency of the line.
+/// The lines themselves: Fourier coefficients over the period, place by place and order by order, at half the frequency
+/// of the line.
 TEST(PassingLines, AreTheFourierCoefficientsOfTheDeflectionPlaceByPlace) {
     constexpr double kSpeed = 80.0 / 3.6;
     pem::CaseParameters c = tests::every_track_effect();
@@ -117,11 +130,14 @@ TEST(PassingLines, AreTheFourierCoefficientsOfTheDeflectionPlaceByPlace) {
         EXPECT_DOUBLE_EQ(lines[m - 1].frequency_hz, frequency);
         std::array<Complex, 4> sum{};
         for (int k = 0; k < kSamples; ++k) {
-            const std::vector<lanes::Complex> here = one_place(c, (k % 12) / 12.0, 1 - k / 12, spread(0.5 * frequency, 1.0));
+            const std::vector<lanes::Complex> here =
+                one_place(c, (k % 12) / 12.0, 1 - k / 12, spread(0.5 * frequency, 1.0));
             for (std::size_t i = 0; i < 4; ++i)
-                sum[i] -= 2.0 * 80e3 / kSamples * here[i][0] * std::polar(1.0, -2.0 * std::numbers::pi * static_cast<double>(m) * k / kSamples);
+                sum[i] -= 2.0 * 80e3 / kSamples * here[i][0] *
+                          std::polar(1.0, -2.0 * std::numbers::pi * static_cast<double>(m) * k / kSamples);
         }
-        for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(std::abs(lines[m - 1].amplitude_m[i] - sum[i]), 0.0, 1e-9 * std::abs(sum[i])) << m << ", " << i;
+        for (std::size_t i = 0; i < 4; ++i)
+            EXPECT_NEAR(std::abs(lines[m - 1].amplitude_m[i] - sum[i]), 0.0, 1e-9 * std::abs(sum[i])) << m << ", " << i;
     }
 }
 

@@ -6,9 +6,9 @@
 #include <chrono>
 #include <cstdlib>
 
-#include "recordings/cross_spectra.hpp"
-#include "recordings/load_recording.hpp"
-#include "recordings/write_csv.hpp"
+#include "recordings/estimates/cross_spectra.hpp"
+#include "recordings/loading/load_recording.hpp"
+#include "recordings/loading/write_csv.hpp"
 #include "tests/unit/recordings/scratch_folder.hpp"
 #include "tests/unit/recordings/synthetic_record.hpp"
 

@@ -5,13 +5,14 @@
 #include <array>
 #include <cmath>
 
-#include "pem/contact_distortion.hpp"
-#include "simulate/simulate.hpp"
+#include "pem/distortion/contact_distortion.hpp"
+#include "simulate/march/simulate.hpp"
 #include "tests/verification/pem/paper_case.hpp"
 
 namespace railpem::tests {
 
-// 40 s at 33 m/s, a linear contact, the wheel that varies most. Measured: 0.1851 and 0.1854 of the static load; lines of passing supports are in the march alone, and 40 s of a random profile scatter by 3 %.
+// 40 s at 33 m/s, a linear contact, the wheel that varies most. Measured: 0.1851 and 0.1854 of the static load; lines
+// of passing supports are in the march alone, and 40 s of a random profile scatter by 3 %.
 TEST(ContactForce, VariesAsPredicted) {
     pem::CaseParameters c = paper_case(1);
     c.running.speeds_m_per_s = {33.0};
@@ -20,11 +21,14 @@ TEST(ContactForce, VariesAsPredicted) {
     double count = 0.0;
     options.observer = [&](const simulate::Glimpse& glimpse) {
         count += 1.0;
-        for (std::size_t wheel = 0; wheel < 4; ++wheel) sum[wheel] += glimpse.contact_force_n[wheel], squares[wheel] += std::pow(glimpse.contact_force_n[wheel], 2);
+        for (std::size_t wheel = 0; wheel < 4; ++wheel)
+            sum[wheel] += glimpse.contact_force_n[wheel], squares[wheel] += std::pow(glimpse.contact_force_n[wheel], 2);
     };
     simulate::simulate(c, options);
     double marched = 0.0;
-    for (std::size_t wheel = 0; wheel < 4; ++wheel) marched = std::max(marched, std::sqrt(squares[wheel] / count - std::pow(sum[wheel] / count, 2)) / pem::wheel_load_n(c));
+    for (std::size_t wheel = 0; wheel < 4; ++wheel)
+        marched = std::max(marched,
+                           std::sqrt(squares[wheel] / count - std::pow(sum[wheel] / count, 2)) / pem::wheel_load_n(c));
     c.solver.moving = true;
     const double predicted = pem::contact_force_variation(c, 33.0);
     EXPECT_NEAR(marched / predicted, 1.0, 0.06);

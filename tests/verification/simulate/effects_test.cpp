@@ -2,7 +2,7 @@
 // alive.
 #include <gtest/gtest.h>
 
-#include "simulate/hidden_effects.hpp"
+#include "simulate/effects/hidden_effects.hpp"
 #include "tests/verification/simulate/transfer.hpp"
 
 namespace railpem::tests {

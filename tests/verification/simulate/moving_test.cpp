@@ -47,8 +47,8 @@ TEST(Moving, ShearingRail) {
     expect_floor(c, moving_options(c), 0.02, 0.1);
 }
 
-/// Pads on their curve, which creep and are pressed by wheels that come and go, and the contact of a real record. The lateral second moment of area
-/// of the published statics is for standing wheels: neither side may use it here.
+/// Pads on their curve, which creep and are pressed by wheels that come and go, and the contact of a real record. The
+/// lateral second moment of area of the published statics is for standing wheels: neither side may use it here.
 simulate::Options loaded_pads(const pem::CaseParameters& parameters) {
     simulate::Options options = moving_options(parameters);
     options.linear_pads = false;
@@ -78,7 +78,8 @@ TEST(Moving, PreloadedPadsAtFifteenAndThirtyThreeMetresPerSecond) {
 }
 
 /// A record over a line without irregularity (60 dB down): what the supports alone do.
-simulate::Recording smooth_record(pem::CaseParameters c, double speed, int elements_per_bay, simulate::Options options = {}) {
+simulate::Recording smooth_record(pem::CaseParameters c, double speed, int elements_per_bay,
+                                  simulate::Options options = {}) {
     c.irregularity.level_db = -60.0;
     c.irregularity.bands.pop_back();
     c.running.speeds_m_per_s = {speed};
@@ -100,7 +101,8 @@ TEST(Moving, SleeperPassingLine) {
     EXPECT_NEAR(line_rms(timoshenko, speed / 0.6), 0.62, 0.15 * 0.62);
 }
 
-/// rms at an axle box that the solver has for a line of sleeper passing, of the case's own compliance unless it says more.
+/// rms at an axle box that the solver has for a line of sleeper passing, of the case's own compliance unless it says
+/// more.
 double solved_line_rms(pem::CaseParameters c, double speed, int order = 1, int wheel = 1) {
     const double line_hz = order * speed / c.track.spacing_m;
     if (c.sleeper_passing.amplitude_factor == 0.0) c.sleeper_passing.amplitude_factor = 1.0;
@@ -108,14 +110,17 @@ double solved_line_rms(pem::CaseParameters c, double speed, int order = 1, int w
     c.running.speed_fluctuation = 1e-3;
     c.frequency = {.from_hz = line_hz - 1.0, .to_hz = line_hz + 1.0, .step_hz = 0.01};
     const pem::Solution solution = pem::solve_case(c, speed);
-    const auto source = std::find(solution.source_names.begin(), solution.source_names.end(), "sleeper_passing") - solution.source_names.begin();
-    const std::complex<double>* line = solution.at(static_cast<std::size_t>(source), pem::response_index("wheel_" + std::to_string(wheel)));
+    const auto source = std::find(solution.source_names.begin(), solution.source_names.end(), "sleeper_passing") -
+                        solution.source_names.begin();
+    const std::complex<double>* line =
+        solution.at(static_cast<std::size_t>(source), pem::response_index("wheel_" + std::to_string(wheel)));
     double power = 0.0;
     for (std::size_t i = 0; i < solution.frequency_hz.size(); ++i) power += std::norm(line[i]) * c.frequency.step_hz;
     return std::sqrt(power);
 }
 
-// Pads that load stiffens sink along a curve, not along the tangent at the wheel, which once made their line 1.7 times too large. Measured: within 0.0006.
+// Pads that load stiffens sink along a curve, not along the tangent at the wheel, which once made their line 1.7 times
+// too large. Measured: within 0.0006.
 TEST(Moving, SleeperPassingLineOfPadsThatLoadStiffensAndThatCreep) {
     for (const double speed : {15.0, 33.0})
         for (const double exponent : {0.0, 0.15})
@@ -128,37 +133,47 @@ TEST(Moving, SleeperPassingLineOfPadsThatLoadStiffensAndThatCreep) {
                 options.linear_pads = preload == 0.0;
                 const auto record = smooth_record(c, speed, 2, options);
                 const double marched = line_rms(record, speed / 0.6);
-                EXPECT_NEAR(solved_line_rms(c, speed) / marched, 1.0, 0.005) << speed << " m/s, exponent " << exponent << ", preload " << preload;
+                EXPECT_NEAR(solved_line_rms(c, speed) / marched, 1.0, 0.005)
+                    << speed << " m/s, exponent " << exponent << ", preload " << preload;
             }
 }
 
-// What is in excess of the track's own compliance is alike under all wheels, which that under rolling wheels is not: the whole as rolling was 5 % too large at 38 m/s, and 1 % off between the wheels of a bogie.
+// What is in excess of the track's own compliance is alike under all wheels, which that under rolling wheels is not:
+// the whole as rolling was 5 % too large at 38 m/s, and 1 % off between the wheels of a bogie.
 TEST(Moving, AnExcessOfSleeperPassing) {
     for (const double speed : {15.0, 37.72}) {
         auto c = paper_case(1);
         c.sleeper_passing.amplitude_factor = 6.0;
         const auto record = smooth_record(c, speed, 4);
-        for (const int wheel : {1, 2}) EXPECT_NEAR(solved_line_rms(c, speed, 1, wheel) / line_rms(record, speed / 0.6, static_cast<std::size_t>(wheel - 1)), 1.0, 0.005) << speed << " m/s, wheel " << wheel;
+        for (const int wheel : {1, 2})
+            EXPECT_NEAR(solved_line_rms(c, speed, 1, wheel) /
+                            line_rms(record, speed / 0.6, static_cast<std::size_t>(wheel - 1)),
+                        1.0, 0.005)
+                << speed << " m/s, wheel " << wheel;
         EXPECT_NEAR(solved_line_rms(c, speed, 2) / line_rms(record, 2.0 * speed / 0.6), 1.0, 0.02) << speed << " m/s";
     }
 }
 
-// The force of the first line is felt again between the sleepers: left out, the second was 4 % too large. Elements of 0.15 m: of 0.3 m have a line of their own there.
-// Measured: 0.9997 to 1.0014 (Euler), 0.998 to 1.0002 (Timoshenko); the third line, which the forces of the second reach too, within 0.013.
+// The force of the first line is felt again between the sleepers: left out, the second was 4 % too large. Elements of
+// 0.15 m: of 0.3 m have a line of their own there. Measured: 0.9997 to 1.0014 (Euler), 0.998 to 1.0002 (Timoshenko);
+// the third line, which the forces of the second reach too, within 0.013.
 TEST(Moving, SecondSleeperPassingLine) {
     for (const double speed : {15.0, 33.0})
         for (const track::Beam beam : {track::Beam::euler, track::Beam::timoshenko}) {
             auto c = paper_case(1);
             c.track.rail.beam = beam;
             const auto record = smooth_record(c, speed, 4);
-            const auto ratio = [&](int order) { return solved_line_rms(c, speed, order) / line_rms(record, order * speed / 0.6); };
+            const auto ratio = [&](int order) {
+                return solved_line_rms(c, speed, order) / line_rms(record, order * speed / 0.6);
+            };
             EXPECT_NEAR(ratio(2), 1.0, 0.005) << speed << " m/s";
             EXPECT_NEAR(ratio(3), 1.0, 0.03) << speed << " m/s";
         }
 }
 
-// Over a rail that shears a wheel meets a kink at every support. Steps of 0.2 ms would turn the harmonics of that at 4840 and 5060 Hz into lines at 160 and 60 Hz
-// (6.9e-3 m/s² at 160 Hz). The mean over a step leaves sinc(4840/5000) = 3 % of them, once. Measured: 3.8e-4 and 7.5e-5.
+// Over a rail that shears a wheel meets a kink at every support. Steps of 0.2 ms would turn the harmonics of that at
+// 4840 and 5060 Hz into lines at 160 and 60 Hz (6.9e-3 m/s² at 160 Hz). The mean over a step leaves sinc(4840/5000) = 3
+// % of them, once. Measured: 3.8e-4 and 7.5e-5.
 TEST(Moving, KinksOfARailThatShearsMakeNoLinesOfTheStep) {
     auto c = paper_case(1);
     c.track.rail.beam = track::Beam::timoshenko;
@@ -178,8 +193,7 @@ TEST(Moving, NoLineAtSpeedOverElementLength) {
     const double line_hz = speed / 0.3;
     const auto coarse = smooth_record(paper_case(1), speed, 2);
     const auto fine = smooth_record(paper_case(1), speed, 4);
-    const double difference = std::abs(line_rms(coarse, line_hz) -
-                                       line_rms(fine, line_hz));
+    const double difference = std::abs(line_rms(coarse, line_hz) - line_rms(fine, line_hz));
     // 0.0017 measured: 45 dB under the irregularity's own 0.35 m/s² in the band of one line of a 60 s record.
     EXPECT_LT(difference, 0.0025);
 }

@@ -10,7 +10,8 @@ namespace {
 struct LinearCase {
     std::string name;
     void (*change)(pem::CaseParameters&);
-    double largest_db = 0.1;  ///< no band may be off by what a wrong element would do; the step's own damping gives 0.02 dB at the top
+    /// no band may be off by what a wrong element would do; the step's own damping gives 0.02 dB at the top
+    double largest_db = 0.1;
 };
 
 std::ostream& operator<<(std::ostream& out, const LinearCase& c) {
@@ -82,7 +83,10 @@ const std::vector<LinearCase> cases{
     {"RailDamper",
      [](Case& c) { c.track.rail_dampers = {{.mass_kg_per_m = 15, .frequency_hz = 500, .loss_factor = 0.35}}; }},
     {"RailDamperWithDashpots",  // within the band, where rubber would not do (0.07 to 0.08 dB): dashpots are marched
-     [](Case& c) { c.track.rail_dampers = {{.mass_kg_per_m = 15, .frequency_hz = 120, .loss_factor = 0.35, .loss_exponent = 1}}; }, 0.02},
+     [](Case& c) {
+         c.track.rail_dampers = {{.mass_kg_per_m = 15, .frequency_hz = 120, .loss_factor = 0.35, .loss_exponent = 1}};
+     },
+     0.02},
     {"BodyBending", [](Case& c) { c.vehicle.body_bending = {{}}; }},
     {"BodyBendingWithPayload",
      [](Case& c) {

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include <algorithm>
-#include "pem/solution.hpp"
-#include "simulate/excitation.hpp"
-#include "simulate/simulate.hpp"
+#include "pem/coupling/solution.hpp"
+#include "simulate/march/excitation.hpp"
+#include "simulate/march/simulate.hpp"
 #include "spectra/irregularity_spectrum.hpp"
 #include "tests/verification/pem/paper_case.hpp"
 
@@ -37,7 +37,9 @@ inline double line_rms(const simulate::Recording& record, double frequency_hz, s
     const double periods = std::floor(static_cast<double>(a.size()) / record.sampling_rate_hz * frequency_hz);
     const auto n = static_cast<std::size_t>(std::lround(periods / frequency_hz * record.sampling_rate_hz));
     std::complex<double> sum = 0.0;
-    for (std::size_t i = 0; i < n; ++i) sum += a[i] * std::polar(1.0, -2.0 * std::numbers::pi * frequency_hz * static_cast<double>(i) / record.sampling_rate_hz);
+    for (std::size_t i = 0; i < n; ++i)
+        sum += a[i] * std::polar(1.0, -2.0 * std::numbers::pi * frequency_hz * static_cast<double>(i) /
+                                          record.sampling_rate_hz);
     return std::sqrt(2.0) * std::abs(sum) / static_cast<double>(n);
 }
 
@@ -97,7 +99,8 @@ inline std::vector<ChannelDifference> compare(pem::CaseParameters parameters, co
             double energy_marched = 0.0;
             double energy_solved = 0.0;
             for (std::size_t k = 1; k <= solution.frequency_hz.size(); ++k) {
-                const double f = solution.frequency_hz[k - 1];  // to the last bit: a band of the irregularity may begin here
+                // to the last bit: a band of the irregularity may begin here
+                const double f = solution.frequency_hz[k - 1];
                 if (f < centre * std::pow(2.0, -1.0 / 12.0) || f >= centre * std::pow(2.0, 1.0 / 12.0)) continue;
                 const double s = spectra::irregularity_psd_m2_per_hz(parameters.irregularity, f, speed);
                 if (s <= 0.0) continue;

@@ -1,5 +1,6 @@
 // The exact infinite rail against independent solutions written here: the Green function of the free infinite beam
-// (Euler in closed form; Timoshenko by residues of its dispersion relation) with the pads as point springs, solved densely.
+// (Euler in closed form; Timoshenko by residues of its dispersion relation) with the pads as point springs, solved
+// densely.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -9,7 +10,7 @@
 #include <complex>
 #include <numbers>
 
-#include "track/exact_rail.hpp"
+#include "track/rail/exact_rail.hpp"
 
 namespace {
 
@@ -29,12 +30,19 @@ track::TrackParameters paper_track() {
 
 track::TrackParameters uic60_track() {
     track::TrackParameters track;
-    track.rail = {.beam = track::Beam::timoshenko, .youngs_modulus_pa = 210e9, .second_moment_of_area_m4 = 3038.3e-8, .mass_kg_per_m = 60.2,
-                  .loss_factor = 0.02, .shear_modulus_pa = 81e9, .shear_coefficient = 0.4, .cross_section_m2 = 60.2 / 7850.0};
+    track.rail = {.beam = track::Beam::timoshenko,
+                  .youngs_modulus_pa = 210e9,
+                  .second_moment_of_area_m4 = 3038.3e-8,
+                  .mass_kg_per_m = 60.2,
+                  .loss_factor = 0.02,
+                  .shear_modulus_pa = 81e9,
+                  .shear_coefficient = 0.4,
+                  .cross_section_m2 = 60.2 / 7850.0};
     track.pads.static_stiffness_n_per_m = 300e6;
     track.pads.loss_factor = 0.25;
     track.pads.loss_law = track::LossLaw::constant;
-    track.support = {.model = track::SupportModel::two_layer, .mass_kg = 162.0, .stiffness_n_per_m = 50e6, .loss_factor = 1.0};
+    track.support = {
+        .model = track::SupportModel::two_layer, .mass_kg = 162.0, .stiffness_n_per_m = 50e6, .loss_factor = 1.0};
     return track;
 }
 
@@ -44,11 +52,13 @@ Complex green(const track::RailParameters& rail, double omega, double x) {
     const Complex b = rail.youngs_modulus_pa * rail.second_moment_of_area_m4 * Complex(1.0, rail.loss_factor);
     const double mu = rail.mass_kg_per_m * omega * omega;
     if (rail.beam == track::Beam::euler) {
-        // e^{+iωt} with loss: the travelling wave is exp(−iκ|x|), so the residue form is −(e^{−κx} + i·e^{−iκx})/(4Bκ³).
+        // e^{+iωt} with loss: the travelling wave is exp(−iκ|x|), so the residue form is −(e^{−κx} +
+        // i·e^{−iκx})/(4Bκ³).
         const Complex kappa = std::pow(mu / b, 0.25);
         return -(std::exp(-kappa * x) + 1.0i * std::exp(-1.0i * kappa * x)) / (4.0 * b * kappa * kappa * kappa);
     }
-    const Complex s = rail.shear_coefficient * rail.shear_modulus_pa * rail.cross_section_m2 * Complex(1.0, rail.loss_factor);
+    const Complex s =
+        rail.shear_coefficient * rail.shear_modulus_pa * rail.cross_section_m2 * Complex(1.0, rail.loss_factor);
     const double rotary = omega * omega * rail.mass_kg_per_m * rail.second_moment_of_area_m4 / rail.cross_section_m2;
     // D = B·S·k⁴ + k²(−Bμ + S² − S·rot − S²) − μ(S − rot)
     const Complex a2 = b * s, a1 = -b * mu - s * rotary, a0 = -mu * (s - rotary);
@@ -66,9 +76,11 @@ Complex green(const track::RailParameters& rail, double omega, double x) {
 Complex support_stiffness(const track::TrackParameters& track, double k0, double omega) {
     const double f = omega / (2.0 * std::numbers::pi);
     const track::PadParameters& pads = track.pads;
-    const Complex pad = k0 * std::pow(f / pads.reference_frequency_hz, pads.exponent) * Complex(1.0, pads.loss_factor) + 1.0i * omega * pads.damping_n_s_per_m;
+    const Complex pad = k0 * std::pow(f / pads.reference_frequency_hz, pads.exponent) * Complex(1.0, pads.loss_factor) +
+                        1.0i * omega * pads.damping_n_s_per_m;
     if (track.support.model == track::SupportModel::rigid) return pad;
-    const Complex below = track.support.stiffness_n_per_m * Complex(1.0, track.support.loss_factor) - omega * omega * track.support.mass_kg;
+    const Complex below = track.support.stiffness_n_per_m * Complex(1.0, track.support.loss_factor) -
+                          omega * omega * track.support.mass_kg;
     return 1.0 / (1.0 / pad + 1.0 / below);
 }
 
@@ -79,7 +91,8 @@ struct Brute {
     double end_force;  ///< largest force left in the outermost pads: how far the ends have decayed
 };
 
-Brute brute_force(const track::TrackParameters& track, const std::vector<double>& pads, const std::vector<double>& k0, const std::vector<double>& points, double omega) {
+Brute brute_force(const track::TrackParameters& track, const std::vector<double>& pads, const std::vector<double>& k0,
+                  const std::vector<double>& points, double omega) {
     const long n = static_cast<long>(pads.size()), m = static_cast<long>(points.size());
     Eigen::MatrixXcd gpp(n, n), gpw(n, m), gww(m, m);
     Eigen::VectorXcd stiffness(n);
@@ -97,7 +110,9 @@ Brute brute_force(const track::TrackParameters& track, const std::vector<double>
     return {gww - gpw.transpose() * force, force.colwise().sum().transpose(), end_force};
 }
 
-lanes::Real same_omega(double frequency) { return lanes::broadcast(2.0 * std::numbers::pi * frequency); }
+lanes::Real same_omega(double frequency) {
+    return lanes::broadcast(2.0 * std::numbers::pi * frequency);
+}
 
 track::StaticEquilibrium made_up_equilibrium(int count, double uniform) {
     track::StaticEquilibrium equilibrium;
@@ -135,37 +150,45 @@ TEST_P(AgainstGreen, ReceptancesAndPadSum) {
     track::ExactRailWorkspace workspace(rail);
     for (const double frequency : {s.from_hz, std::sqrt(s.from_hz * s.to_hz), 0.5 * s.to_hz, s.to_hz}) {
         const track::RailReceptance& exact = track::rail_receptance(rail, same_omega(frequency), workspace);
-        const Brute brute = brute_force(s.track, equilibrium.position_m, equilibrium.dynamic_stiffness_n_per_m, wheels, 2.0 * std::numbers::pi * frequency);
+        const Brute brute = brute_force(s.track, equilibrium.position_m, equilibrium.dynamic_stiffness_n_per_m, wheels,
+                                        2.0 * std::numbers::pi * frequency);
         const double scale = std::abs(brute.receptance(0, 0));
         for (int i = 0; i < 4; ++i) {
             for (int j = 0; j < 4; ++j) {
-                EXPECT_NEAR(std::abs(exact.at(i, j)[0] - brute.receptance(i, j)) / scale, 0.0, 1e-8) << s.name << " " << frequency << " Hz, " << i << j;
+                EXPECT_NEAR(std::abs(exact.at(i, j)[0] - brute.receptance(i, j)) / scale, 0.0, 1e-8)
+                    << s.name << " " << frequency << " Hz, " << i << j;
                 EXPECT_EQ(exact.at(i, j)[3], exact.at(j, i)[3]);
             }
             // The pads beyond the reference's end carry a geometric series of what its last pad carries.
-            EXPECT_NEAR(std::abs(exact.trackbed[i][0] - brute.pad_sum(i)), 0.0, 1e-8 + 100.0 * brute.end_force) << s.name << " " << frequency << " Hz, pad sum " << i;
+            EXPECT_NEAR(std::abs(exact.trackbed[i][0] - brute.pad_sum(i)), 0.0, 1e-8 + 100.0 * brute.end_force)
+                << s.name << " " << frequency << " Hz, pad sum " << i;
         }
     }
 }
 INSTANTIATE_TEST_SUITE_P(Tracks, AgainstGreen, testing::Values(0, 1));
 
-/// The table of track/README.md: largest difference from the reference over all sixteen receptances, relative to that of wheel 1.
+/// The table of track/README.md: largest difference from the reference over all sixteen receptances, relative to that
+/// of wheel 1.
 TEST(ExactRailAccuracy, Table) {
     fmt::print("| track | frequency Hz | receptances | pad sum |\n|---|---|---|---|\n");
     const std::vector<double> wheels{10.2, 7.93, -7.8, -10.11};
     for (const int index : {0, 1}) {
         const Setting s = setting(index);
-        for (const double frequency : index == 0 ? std::vector{5.0, 66.7, 200.0, 400.0} : std::vector{20.0, 200.0, 1000.0, 3000.0}) {
+        for (const double frequency :
+             index == 0 ? std::vector{5.0, 66.7, 200.0, 400.0} : std::vector{20.0, 200.0, 1000.0, 3000.0}) {
             // Less than 1 dB/m near the pinned–pinned frequency: the ends of the reference must be far away.
-            const track::StaticEquilibrium equilibrium = made_up_equilibrium(frequency == 1000.0 ? 701 : s.pads, s.uniform);
+            const track::StaticEquilibrium equilibrium =
+                made_up_equilibrium(frequency == 1000.0 ? 701 : s.pads, s.uniform);
             const track::ExactRail rail = track::exact_rail(s.track, wheels, equilibrium);
             track::ExactRailWorkspace workspace(rail);
             const track::RailReceptance& exact = track::rail_receptance(rail, same_omega(frequency), workspace);
-            const Brute brute = brute_force(s.track, equilibrium.position_m, equilibrium.dynamic_stiffness_n_per_m, wheels, 2.0 * std::numbers::pi * frequency);
+            const Brute brute = brute_force(s.track, equilibrium.position_m, equilibrium.dynamic_stiffness_n_per_m,
+                                            wheels, 2.0 * std::numbers::pi * frequency);
             double largest = 0.0, pad_sum = 0.0;  // the reference lacks the pad forces beyond its ends
             for (int i = 0; i < 4; ++i) {
                 pad_sum = std::max(pad_sum, std::abs(exact.trackbed[i][0] - brute.pad_sum(i)));
-                for (int j = 0; j < 4; ++j) largest = std::max(largest, std::abs(exact.at(i, j)[0] - brute.receptance(i, j)));
+                for (int j = 0; j < 4; ++j)
+                    largest = std::max(largest, std::abs(exact.at(i, j)[0] - brute.receptance(i, j)));
             }
             largest /= std::abs(brute.receptance(0, 0));
             fmt::print("| {} | {:g} | {:.1e} | {:.1e} |\n", s.name, frequency, largest, pad_sum);
@@ -174,7 +197,8 @@ TEST(ExactRailAccuracy, Table) {
     }
 }
 
-/// The closed form of the Euler element (e.g. Clough & Penzien): K11 = EIκ³(cosh·sin + sinh·cos)/(1 − cosh·cos) and so on.
+/// The closed form of the Euler element (e.g. Clough & Penzien): K11 = EIκ³(cosh·sin + sinh·cos)/(1 − cosh·cos) and so
+/// on.
 TEST(RailElement, EulerClosedForm) {
     const track::TrackParameters track = paper_track();
     const double length = 0.6, ei = 2.06e11 * 3.22e-5;
@@ -182,20 +206,33 @@ TEST(RailElement, EulerClosedForm) {
         const double omega = 2.0 * std::numbers::pi * frequency;
         const double kappa = std::pow(60.64 * omega * omega / ei, 0.25), x = kappa * length;
         const double denominator = 1.0 - std::cosh(x) * std::cos(x);
-        const track::RailElement element = track::rail_element(track::beam_coefficients(track.rail, {}, lanes::broadcast(omega)), length);
+        const track::RailElement element =
+            track::rail_element(track::beam_coefficients(track.rail, {}, lanes::broadcast(omega)), length);
         const double k3 = ei * kappa * kappa * kappa;
-        const double tolerance = 1e-9;  // the closed form itself loses digits in its denominator at small x (x⁴/6 from terms of 1)
-        EXPECT_NEAR(element.near.a[0].real() / (k3 * (std::cosh(x) * std::sin(x) + std::sinh(x) * std::cos(x)) / denominator), 1.0, tolerance) << frequency;
-        EXPECT_NEAR(element.far.a[0].real() / (-k3 * (std::sin(x) + std::sinh(x)) / denominator), 1.0, tolerance) << frequency;
-        EXPECT_NEAR(element.near.b[0].real() / (ei * kappa * kappa * std::sinh(x) * std::sin(x) / denominator), 1.0, tolerance) << frequency;
-        EXPECT_NEAR(element.near.d[0].real() / (ei * kappa * (std::cosh(x) * std::sin(x) - std::sinh(x) * std::cos(x)) / denominator), 1.0, tolerance) << frequency;
+        // the closed form itself loses digits in its denominator at small x (x⁴/6 from terms of 1)
+        const double tolerance = 1e-9;
+        EXPECT_NEAR(
+            element.near.a[0].real() / (k3 * (std::cosh(x) * std::sin(x) + std::sinh(x) * std::cos(x)) / denominator),
+            1.0, tolerance)
+            << frequency;
+        EXPECT_NEAR(element.far.a[0].real() / (-k3 * (std::sin(x) + std::sinh(x)) / denominator), 1.0, tolerance)
+            << frequency;
+        EXPECT_NEAR(element.near.b[0].real() / (ei * kappa * kappa * std::sinh(x) * std::sin(x) / denominator), 1.0,
+                    tolerance)
+            << frequency;
+        EXPECT_NEAR(element.near.d[0].real() /
+                        (ei * kappa * (std::cosh(x) * std::sin(x) - std::sinh(x) * std::cos(x)) / denominator),
+                    1.0, tolerance)
+            << frequency;
     }
 }
 
-/// ω → 0: the static Hermite element plus −ω² times the consistent mass; the next term is ω⁴·(mℓ⁴/EI), about 1e-9 at 0.1 Hz.
+/// ω → 0: the static Hermite element plus −ω² times the consistent mass; the next term is ω⁴·(mℓ⁴/EI), about 1e-9 at
+/// 0.1 Hz.
 TEST(RailElement, StaticLimit) {
     const double length = 0.6, ei = 2.06e11 * 3.22e-5;
-    const track::RailElement element = track::rail_element(track::beam_coefficients(paper_track().rail, {}, same_omega(0.1)), length);
+    const track::RailElement element =
+        track::rail_element(track::beam_coefficients(paper_track().rail, {}, same_omega(0.1)), length);
     EXPECT_NEAR(element.near.a[0].real() / (12.0 * ei / std::pow(length, 3)), 1.0, 1e-6);
     EXPECT_NEAR(element.near.b[0].real() / (6.0 * ei / std::pow(length, 2)), 1.0, 1e-6);
     const double rigid = (element.near.a[0] + element.far.a[0]).real() * 2.0;  // force for a unit rigid heave: −ω²·mℓ
@@ -223,7 +260,8 @@ TEST(RailElement, TimoshenkoBecomesEuler) {
 /// A stretch of rail is the same whether taken whole or in two unequal pieces.
 TEST(RailElement, PiecesAddUp) {
     const track::BeamCoefficients beam = track::beam_coefficients(uic60_track().rail, {}, same_omega(2500.0));
-    const track::RailElement one = track::rail_element(beam, 0.25), two = track::rail_element(beam, 0.35), whole = track::rail_element(beam, 0.6);
+    const track::RailElement one = track::rail_element(beam, 0.25), two = track::rail_element(beam, 0.35),
+                             whole = track::rail_element(beam, 0.6);
     const lanes::Matrix2 middle = lanes::inverse(track::mirrored(one.near) + two.near);
     const lanes::Matrix2 near = one.near - one.far * middle * transpose(one.far);
     const lanes::Matrix2 far = lanes::Matrix2{} - one.far * middle * two.far;
@@ -231,8 +269,8 @@ TEST(RailElement, PiecesAddUp) {
     EXPECT_NEAR(std::abs(far.b[0] / whole.far.b[0] - 1.0), 0.0, 1e-11);
 }
 
-/// Without any damping the wave that travels outwards is taken: the receptance is the limit of vanishing loss, and the power
-/// put in is never negative. Both propagating and stop bands of the undamped track are crossed.
+/// Without any damping the wave that travels outwards is taken: the receptance is the limit of vanishing loss, and the
+/// power put in is never negative. Both propagating and stop bands of the undamped track are crossed.
 TEST(HalfTrack, UndampedIsTheLimitOfSmallLoss) {
     track::TrackParameters track = paper_track();
     track.pads.damping_n_s_per_m = 0.0;
@@ -250,7 +288,8 @@ TEST(HalfTrack, UndampedIsTheLimitOfSmallLoss) {
     }
 }
 
-/// Dense supports become a continuous foundation s per metre: w(0)/F = 1/(8·EI·β³) with 4·EI·β⁴ = s − mω² (Winkler beam).
+/// Dense supports become a continuous foundation s per metre: w(0)/F = 1/(8·EI·β³) with 4·EI·β⁴ = s − mω² (Winkler
+/// beam).
 TEST(ExactRail, DenseSupportsAreAWinklerFoundation) {
     track::TrackParameters track = paper_track();
     track.pads.exponent = 0.0;
@@ -262,7 +301,8 @@ TEST(ExactRail, DenseSupportsAreAWinklerFoundation) {
     const Complex closed = 1.0 / (8.0 * 2.06e11 * 3.22e-5 * beta * beta * beta);
     const track::ExactRail rail = track::uniform_rail(track, {0.0}, 37.38e6 / 6.0);
     track::ExactRailWorkspace workspace(rail);
-    EXPECT_NEAR(std::abs(track::rail_receptance(rail, lanes::broadcast(omega), workspace).at(0, 0)[0] / closed - 1.0), 0.0, 1e-4);
+    EXPECT_NEAR(std::abs(track::rail_receptance(rail, lanes::broadcast(omega), workspace).at(0, 0)[0] / closed - 1.0),
+                0.0, 1e-4);
 }
 
 }  // namespace

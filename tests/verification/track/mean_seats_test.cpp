@@ -1,6 +1,6 @@
 // Seats that stand for failed ones, against the mean over draws of rails with every failed seat in it.
 
-#include "track/mean_seats.hpp"
+#include "track/rail/mean_seats.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "../pem/paper_case.hpp"
-#include "track/exact_rail.hpp"
+#include "track/rail/exact_rail.hpp"
 
 namespace {
 
@@ -38,7 +38,9 @@ Complex drawn(const track::TrackParameters& track, double frequency, int draws) 
         equilibrium.unloaded_dynamic_stiffness_n_per_m = kSoundPad;
         const track::ExactRail rail = track::exact_rail(own, {0.5 * own.spacing_m}, equilibrium);
         track::ExactRailWorkspace workspace(rail);
-        sum += track::rail_receptance(rail, lanes::broadcast(2.0 * std::numbers::pi * frequency), workspace).at(0, 0)[0] / double(draws);
+        sum +=
+            track::rail_receptance(rail, lanes::broadcast(2.0 * std::numbers::pi * frequency), workspace).at(0, 0)[0] /
+            double(draws);
     }
     return sum;
 }
@@ -54,8 +56,10 @@ Complex equal(track::TrackParameters track, double frequency, const lanes::Facto
 
 }  // namespace
 
-// One seat in twenty with a fifth left, 4000 draws. Measured: 0.1, 0.3 and 0.4 % off at 40, 100 and 160 Hz, where the mean of the stiffness is 1.6, 2.3 and 2.3 % off; on pads of loss factor 0.25, which resonate at 160 Hz, 0.1, 0.4 and 3.8 %
-// instead of 1.7, 2.9 and 6.9 %. With 15 % failed it is 0.7 to 7 %, and at the resonance no better than the mean: seats that fail side by side count.
+// One seat in twenty with a fifth left, 4000 draws. Measured: 0.1, 0.3 and 0.4 % off at 40, 100 and 160 Hz, where the
+// mean of the stiffness is 1.6, 2.3 and 2.3 % off; on pads of loss factor 0.25, which resonate at 160 Hz, 0.1, 0.4
+// and 3.8 % instead of 1.7, 2.9 and 6.9 %. With 15 % failed it is 0.7 to 7 %, and at the resonance no better than the
+// mean: seats that fail side by side count.
 TEST(MeanSeats, AgainstDraws) {
     const double mean = 1.0 - kShare * (1.0 - kLeft);
     for (const double loss : {0.0, 0.25}) {
@@ -63,7 +67,8 @@ TEST(MeanSeats, AgainstDraws) {
         const lanes::FactorCurve factor = track::mean_of_failed(track, kSoundPad);
         for (const double f : {40.0, 100.0, 160.0}) {
             const Complex seen = drawn(track, f, 4000);
-            const double own = std::abs(equal(track, f, factor, 1.0) / seen - 1.0), of_mean_stiffness = std::abs(equal(track, f, {}, mean) / seen - 1.0);
+            const double own = std::abs(equal(track, f, factor, 1.0) / seen - 1.0),
+                         of_mean_stiffness = std::abs(equal(track, f, {}, mean) / seen - 1.0);
             const bool resonant = loss > 0.0 && f > 150.0;
             EXPECT_LT(own, resonant ? 0.05 : 0.006) << loss << ", " << f << " Hz";
             EXPECT_LT(own, (resonant ? 0.6 : 0.2) * of_mean_stiffness) << loss << ", " << f << " Hz";

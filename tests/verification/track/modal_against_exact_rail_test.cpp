@@ -9,9 +9,9 @@
 #include <numbers>
 
 #include "tests/unit/track/wei2016_track.hpp"
-#include "track/exact_rail.hpp"
-#include "track/modal_rail.hpp"
-#include "track/seat_stiffness.hpp"
+#include "track/rail/exact_rail.hpp"
+#include "track/rail/modal_rail.hpp"
+#include "track/statics/seat_stiffness.hpp"
 
 namespace railpem::track {
 namespace {

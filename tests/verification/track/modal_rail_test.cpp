@@ -2,7 +2,7 @@
 // the Winkler foundation in closed form, and the pinned–pinned frequency. Prints the convergence table of
 // track/README.md.
 
-#include "track/modal_rail.hpp"
+#include "track/rail/modal_rail.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 #include <numbers>
 
 #include "tests/unit/track/wei2016_track.hpp"
-#include "track/pad_positions.hpp"
+#include "track/pads/pad_positions.hpp"
 
 namespace railpem::track {
 namespace {

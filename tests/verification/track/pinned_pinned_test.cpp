@@ -8,8 +8,8 @@
 #include <complex>
 #include <numbers>
 
-#include "track/decay_rate.hpp"
-#include "track/exact_rail.hpp"
+#include "track/rail/decay_rate.hpp"
+#include "track/rail/exact_rail.hpp"
 
 namespace railpem::track {
 namespace {

@@ -9,7 +9,7 @@
 #include <complex>
 #include <numbers>
 
-#include "track/exact_rail.hpp"
+#include "track/rail/exact_rail.hpp"
 
 namespace railpem::track {
 namespace {

@@ -1,6 +1,6 @@
 // Receptances of tracks whose seats differ, from the waves that they scatter, against the elimination of every node.
 
-#include "track/scattered_rail.hpp"
+#include "track/rail/scattered_rail.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 
 #include "ballasted_track.hpp"
 #include "tests/unit/track/wei2016_track.hpp"
-#include "track/pad_positions.hpp"
+#include "track/pads/pad_positions.hpp"
 
 namespace {
 
@@ -18,12 +18,14 @@ using namespace railpem;
 using namespace railpem::track;
 
 ExactRail loaded(const TrackParameters& track, const std::vector<double>& wheels) {
-    return exact_rail(track, wheels, static_equilibrium(track, wheels, wei2016_wheel_load_n, pad_positions(track, wheels, 0)));
+    return exact_rail(track, wheels,
+                      static_equilibrium(track, wheels, wei2016_wheel_load_n, pad_positions(track, wheels, 0)));
 }
 
 lanes::Real lines_about(double frequency) {
     lanes::Real omega{};
-    for (int lane = 0; lane < lanes::width; ++lane) omega[lane] = 2.0 * std::numbers::pi * frequency * (1.0 + 0.1 * lane);
+    for (int lane = 0; lane < lanes::width; ++lane)
+        omega[lane] = 2.0 * std::numbers::pi * frequency * (1.0 + 0.1 * lane);
     return omega;
 }
 
@@ -38,14 +40,20 @@ void expect_alike(const ExactRail& rail, double frequency) {
     ScatteredWorkspace workspace;
     RailReceptance found = expected;
     for (lanes::Complex& value : found.between) value = lanes::Complex{};
-    ASSERT_TRUE(scattered_receptance(*scattered, bloch_waves(rail, omega, law), law, rail.uniform_pad_stiffness_n_per_m, workspace, found));
+    ASSERT_TRUE(scattered_receptance(*scattered, bloch_waves(rail, omega, law), law, rail.uniform_pad_stiffness_n_per_m,
+                                     workspace, found));
     for (int lane = 0; lane < lanes::width; ++lane)
         for (int i = 0; i < rail.points; ++i) {
-            const std::complex<double> own = expected.at(i, i)[lane], sum = expected.trackbed[static_cast<std::size_t>(i)][lane];
-            // Rounding, more of it where the waves are nearly alike (λ to 1e-3), and seats that count as alike below 1e-10.
-            EXPECT_NEAR(std::abs(found.trackbed[static_cast<std::size_t>(i)][lane] - sum), 0.0, 1e-9 * std::max(std::abs(sum), 1.0)) << frequency << " " << i;
+            const std::complex<double> own = expected.at(i, i)[lane],
+                                       sum = expected.trackbed[static_cast<std::size_t>(i)][lane];
+            // Rounding, more of it where the waves are nearly alike (λ to 1e-3), and seats that count as alike below
+            // 1e-10.
+            EXPECT_NEAR(std::abs(found.trackbed[static_cast<std::size_t>(i)][lane] - sum), 0.0,
+                        1e-9 * std::max(std::abs(sum), 1.0))
+                << frequency << " " << i;
             for (int j = 0; j < rail.points; ++j)
-                EXPECT_NEAR(std::abs(found.at(i, j)[lane] - expected.at(i, j)[lane]), 0.0, 1e-9 * std::abs(own)) << frequency << " " << i << j;
+                EXPECT_NEAR(std::abs(found.at(i, j)[lane] - expected.at(i, j)[lane]), 0.0, 1e-9 * std::abs(own))
+                    << frequency << " " << i << j;
         }
 }
 
@@ -61,8 +69,9 @@ TEST(ScatteredRail, IsTheEliminationOnLoadedPads) {
 
 TEST(ScatteredRail, IsTheEliminationOnFailedFasteners) {
     for (TrackParameters track : {wei2016_track(), ballasted_track()})
-        for (const FailedFasteners& failed : {FailedFasteners{.every = 8, .first_seat = 3}, FailedFasteners{.every = 2, .remaining_stiffness_fraction = 0.4},
-                                              FailedFasteners{.fraction = 0.3}}) {
+        for (const FailedFasteners& failed :
+             {FailedFasteners{.every = 8, .first_seat = 3},
+              FailedFasteners{.every = 2, .remaining_stiffness_fraction = 0.4}, FailedFasteners{.fraction = 0.3}}) {
             track.failed_fasteners = {failed};
             for (const double frequency : kFrequencies) expect_alike(loaded(track, wei2016_wheels_m), frequency);
         }

@@ -1,7 +1,7 @@
 // The static equilibrium against solutions that share no code with it: the Winkler foundation in closed form, and a
 // dense finite- element model on a long free-ended rail with nodes under the wheels.
 
-#include "track/static_equilibrium.hpp"
+#include "track/statics/static_equilibrium.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,6 @@
-// The half vehicle against equations of motion written out by hand (mass, damping, stiffness matrices of the ten degrees of
-// freedom in the paper's order) and solved with Eigen; modes and extra elements against their limits and closed forms.
+// The half vehicle against equations of motion written out by hand (mass, damping, stiffness matrices of the ten
+// degrees of freedom in the paper's order) and solved with Eigen; modes and extra elements against their limits and
+// closed forms.
 
 #include <gtest/gtest.h>
 
@@ -38,24 +39,30 @@ Eigen::MatrixXcd by_hand(const vehicle::VehicleParameters& car, double omega) {
     const auto stage = [&](const vehicle::SuspensionParameters& s) {
         Eigen::Matrix<double, 10, 10> unit = Eigen::Matrix<double, 10, 10>::Zero();
         if (&s == &car.secondary) {
-            unit(0, 0) = 2; unit(1, 1) = 2 * l * l;
+            unit(0, 0) = 2;
+            unit(1, 1) = 2 * l * l;
             unit(2, 2) = unit(4, 4) = 1;
             unit(0, 2) = unit(2, 0) = unit(0, 4) = unit(4, 0) = -1;
-            unit(1, 2) = unit(2, 1) = -l; unit(1, 4) = unit(4, 1) = l;
+            unit(1, 2) = unit(2, 1) = -l;
+            unit(1, 4) = unit(4, 1) = l;
         } else {
             for (const int b : {0, 1}) {
                 const int z = 2 + 2 * b, w = 6 + 2 * b;
-                unit(z, z) = 2; unit(z + 1, z + 1) = 2 * a * a;
+                unit(z, z) = 2;
+                unit(z + 1, z + 1) = 2 * a * a;
                 unit(w, w) = unit(w + 1, w + 1) = 1;
                 unit(z, w) = unit(w, z) = unit(z, w + 1) = unit(w + 1, z) = -1;
-                unit(z + 1, w) = unit(w, z + 1) = -a; unit(z + 1, w + 1) = unit(w + 1, z + 1) = a;
+                unit(z + 1, w) = unit(w, z + 1) = -a;
+                unit(z + 1, w + 1) = unit(w + 1, z + 1) = a;
             }
         }
         return Eigen::Matrix<Complex, 10, 10>(unit * Complex(s.stiffness_n_per_m, omega * s.damping_n_s_per_m));
     };
     Eigen::Matrix<Complex, 10, 10> d = stage(car.secondary) + stage(car.primary);
-    const double halves[10] = {car.body_mass_kg, car.body_pitch_inertia_kg_m2, car.bogie_mass_kg, car.bogie_pitch_inertia_kg_m2, car.bogie_mass_kg,
-                               car.bogie_pitch_inertia_kg_m2, car.wheelset_mass_kg, car.wheelset_mass_kg, car.wheelset_mass_kg, car.wheelset_mass_kg};
+    const double halves[10] = {
+        car.body_mass_kg,     car.body_pitch_inertia_kg_m2,  car.bogie_mass_kg,    car.bogie_pitch_inertia_kg_m2,
+        car.bogie_mass_kg,    car.bogie_pitch_inertia_kg_m2, car.wheelset_mass_kg, car.wheelset_mass_kg,
+        car.wheelset_mass_kg, car.wheelset_mass_kg};
     for (int i = 0; i < 10; ++i) d(i, i) -= omega * omega * halves[i] / 2.0;
     return d.inverse().rightCols(4);
 }
@@ -66,7 +73,9 @@ vehicle::WheelReceptance solve(const vehicle::VehicleParameters& car, double ome
     return vehicle::wheel_receptance(half, lanes::broadcast(omega), workspace);
 }
 
-Complex at(const vehicle::WheelReceptance& r, Place place, int wheel) { return r.at[static_cast<std::size_t>(place)][static_cast<std::size_t>(wheel)][0]; }
+Complex at(const vehicle::WheelReceptance& r, Place place, int wheel) {
+    return r.at[static_cast<std::size_t>(place)][static_cast<std::size_t>(wheel)][0];
+}
 
 TEST(HalfVehicle, TenDegreesOfFreedomByHand) {
     for (const double f : {0.3, 1.0, 7.0, 40.0, 200.0, 2000.0}) {
@@ -78,11 +87,14 @@ TEST(HalfVehicle, TenDegreesOfFreedomByHand) {
             // Rounding of the elimination: condition number of D (about 1e5 at 0.3 Hz) times 1e-16.
             const double tolerance = 1e-11 * scale;
             EXPECT_NEAR(std::abs(at(solved, Place::body, w) - hand(0, w)), 0.0, tolerance) << f;
-            EXPECT_NEAR(std::abs(at(solved, Place::body_front, w) - (hand(0, w) + 9.0 * hand(1, w))), 0.0, tolerance) << f;
-            EXPECT_NEAR(std::abs(at(solved, Place::body_rear, w) - (hand(0, w) - 9.0 * hand(1, w))), 0.0, tolerance) << f;
+            EXPECT_NEAR(std::abs(at(solved, Place::body_front, w) - (hand(0, w) + 9.0 * hand(1, w))), 0.0, tolerance)
+                << f;
+            EXPECT_NEAR(std::abs(at(solved, Place::body_rear, w) - (hand(0, w) - 9.0 * hand(1, w))), 0.0, tolerance)
+                << f;
             EXPECT_NEAR(std::abs(at(solved, Place::bogie_1, w) - hand(2, w)), 0.0, tolerance) << f;
             EXPECT_NEAR(std::abs(at(solved, Place::bogie_2, w) - hand(4, w)), 0.0, tolerance) << f;
-            for (int i = 0; i < 4; ++i) EXPECT_NEAR(std::abs(solved.wheel(i, w)[0] - hand(6 + i, w)), 0.0, tolerance) << f;
+            for (int i = 0; i < 4; ++i)
+                EXPECT_NEAR(std::abs(solved.wheel(i, w)[0] - hand(6 + i, w)), 0.0, tolerance) << f;
         }
     }
 }
@@ -94,7 +106,8 @@ TEST(HalfVehicle, RigidBodyLimit) {
     Complex sum = 0.0;
     for (int w = 0; w < 4; ++w) sum += at(r, Place::body, w);
     const double half_mass = (38500.0 + 2 * 2980.0 + 4 * 1350.0) / 2.0;
-    EXPECT_NEAR((sum * (-omega * omega)).real() * half_mass / 4.0, 1.0, 1e-5);  // next term (ω/ω_body)², ω_body = 2π·1 Hz
+    // next term (ω/ω_body)², ω_body = 2π·1 Hz
+    EXPECT_NEAR((sum * (-omega * omega)).real() * half_mass / 4.0, 1.0, 1e-5);
 }
 
 TEST(HalfVehicle, RunsBackwardsAlike) {
@@ -114,7 +127,8 @@ TEST(HalfVehicle, PayloadIsBodyMassAndInertiaInProportion) {
 
 /// The Maxwell element is the plain dashpot when slow and its series spring when fast (Bruni et al. 2011).
 TEST(Suspension, MaxwellLimits) {
-    vehicle::SuspensionParameters law{.stiffness_n_per_m = 2e6, .damping_n_s_per_m = 5e4, .damper_series_stiffness_n_per_m = 4e6};
+    vehicle::SuspensionParameters law{
+        .stiffness_n_per_m = 2e6, .damping_n_s_per_m = 5e4, .damper_series_stiffness_n_per_m = 4e6};
     const double corner = 4e6 / 5e4;
     const Complex slow = vehicle::suspension_stiffness(law, 0.0, lanes::broadcast(1e-4 * corner))[0];
     EXPECT_NEAR(slow.imag() / (1e-4 * corner * 5e4), 1.0, 1e-7);  // next term (ω/corner)²
@@ -125,11 +139,13 @@ TEST(Suspension, MaxwellLimits) {
     EXPECT_NEAR(std::abs(rigid - (2e6 + kI * 5e6)), 0.0, 1e-6);
 }
 
-/// A free body with a bending mode, hardly suspended: pushed at its mode's frequency the mode answers with 1/(2iζ·m·ω²).
+/// A free body with a bending mode, hardly suspended: pushed at its mode's frequency the mode answers with
+/// 1/(2iζ·m·ω²).
 TEST(BodyBending, FreeFreeResonance) {
     vehicle::VehicleParameters car = type_a();
     car.secondary = {.stiffness_n_per_m = 1.0, .damping_n_s_per_m = 0.0};
-    car.body_bending.push_back({.frequency_hz = 9.0, .damping_ratio = 0.02, .modal_mass_kg = 9000.0, .shape_at_pivots = -0.3});
+    car.body_bending.push_back(
+        {.frequency_hz = 9.0, .damping_ratio = 0.02, .modal_mass_kg = 9000.0, .shape_at_pivots = -0.3});
     const vehicle::HalfVehicle half = vehicle::half_vehicle(car);
     EXPECT_EQ(half.degrees, 11);
     vehicle::Workspace workspace(half);
@@ -143,14 +159,17 @@ TEST(BodyBending, FreeFreeResonance) {
     EXPECT_NEAR(std::abs(q[0][0] / expected - 1.0), 0.0, 1e-5);  // suspension of 1 N/m against 4500·(2π9)² = 1.4e7 N/m
 }
 
-/// The wheelset's bending mode: a free wheelset (no primary) is −1/(ω²M) + 1/(m(ω_n² − ω² + 2iζω_nω)), halves of both masses.
+/// The wheelset's bending mode: a free wheelset (no primary) is −1/(ω²M) + 1/(m(ω_n² − ω² + 2iζω_nω)), halves of both
+/// masses.
 TEST(WheelsetBending, FreeWheelset) {
     vehicle::VehicleParameters car = type_a();
     car.primary = {.stiffness_n_per_m = 1e-3, .damping_n_s_per_m = 0.0};
     car.wheelset_bending.push_back({.frequency_hz = 80.0, .damping_ratio = 0.01, .modal_mass_kg = 600.0});
     for (const double f : {20.0, 79.0, 80.0, 150.0}) {
         const double omega = 2.0 * std::numbers::pi * f, natural = 2.0 * std::numbers::pi * 80.0;
-        const Complex expected = -1.0 / (omega * omega * 675.0) + 1.0 / (300.0 * (natural * natural - omega * omega + 2.0 * kI * 0.01 * natural * omega));
+        const Complex expected =
+            -1.0 / (omega * omega * 675.0) +
+            1.0 / (300.0 * (natural * natural - omega * omega + 2.0 * kI * 0.01 * natural * omega));
         EXPECT_NEAR(std::abs(solve(car, omega).wheel(1, 1)[0] / expected - 1.0), 0.0, 1e-8) << f;
     }
 }
@@ -161,8 +180,12 @@ TEST(BogieMountedMass, HeavyBelowGoneAbove) {
     hung.bogie_mounted_masses.push_back({.mass_kg = 500.0, .frequency_hz = 30.0, .damping_ratio = 0.05});
     heavier.bogie_mass_kg += 500.0;
     const double low = 2.0 * std::numbers::pi * 0.3, high = 2.0 * std::numbers::pi * 3000.0;
-    EXPECT_NEAR(std::abs(at(solve(hung, low), Place::bogie_1, 0) / at(solve(heavier, low), Place::bogie_1, 0) - 1.0), 0.0, 1e-4);  // (0.3/30)²
-    EXPECT_NEAR(std::abs(at(solve(hung, high), Place::bogie_1, 0) / at(solve(type_a(), high), Place::bogie_1, 0) - 1.0), 0.0, 1e-2);  // dashpot of the mounting
+    // (0.3/30)²
+    EXPECT_NEAR(std::abs(at(solve(hung, low), Place::bogie_1, 0) / at(solve(heavier, low), Place::bogie_1, 0) - 1.0),
+                0.0, 1e-4);
+    // dashpot of the mounting
+    EXPECT_NEAR(std::abs(at(solve(hung, high), Place::bogie_1, 0) / at(solve(type_a(), high), Place::bogie_1, 0) - 1.0),
+                0.0, 1e-2);
 }
 
 TEST(VehicleParameters, RefusesWhatCannotBe) {

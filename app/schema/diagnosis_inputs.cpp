@@ -1,0 +1,35 @@
+#include "app/schema/diagnosis_inputs.hpp"
+
+#include <cmath>
+
+#include "app/schema/effect_tables.hpp"
+#include "pem/contact.hpp"
+#include "recordings/loading/load_recording.hpp"
+
+namespace railpem::app {
+
+diagnosis::BelievedCase believed_case(const CaseFile& file) {
+    diagnosis::BelievedCase believed{.numbers = file.without_effects, .effects = file.effects};
+    pem::CaseParameters& numbers = believed.numbers;
+    if (numbers.contact.constant_m_per_n23 == 0.0)
+        numbers.contact.constant_m_per_n23 = pem::contact_constant(numbers.contact, numbers.vehicle.wheel_radius_m);
+    if (numbers.sleeper_passing.amplitude_factor == 0.0) numbers.sleeper_passing.amplitude_factor = 1.0;
+    believed.access = parameter_access(numbers);
+    for (const CaseNumber& number : case_numbers(numbers)) {
+        const double value = number.get(numbers);
+        if (number.tolerance <= 0.0 || value == 0.0 || !std::isfinite(value)) continue;
+        believed.uncertain.push_back({.key = number.key,
+                                      .value = value,
+                                      .tolerance = number.tolerance,
+                                      .element = diagnosis::element_of_key(number.key),
+                                      .range = number.description.range,
+                                      .unit = number.description.unit});
+    }
+    return believed;
+}
+
+recordings::Recording load_recording(const RecordingFile& file) {
+    return reading_data(file, [&] { return recordings::load(file.description, file.base); });
+}
+
+}  // namespace railpem::app

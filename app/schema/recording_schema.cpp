@@ -1,0 +1,130 @@
+#include "app/schema/recording_schema.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "app/schema/describe_table.hpp"
+
+namespace railpem::app {
+
+namespace fs = std::filesystem;
+using recordings::ChannelDescription;
+using recordings::RecordingDescription;
+
+namespace {
+
+constexpr const char* kDescriptionName = "recording.toml";
+
+Table<RecordingDescription> recording_table() {
+    Table<RecordingDescription> table(recordings::recording_fields());
+    table.list("channel", &RecordingDescription::channels, "A channel of the data file: what it measures, and where",
+               Table<ChannelDescription>(recordings::channel_fields()));
+    return table;
+}
+
+constexpr const char* kRecordingIntroduction =
+    "A recording is a TOML file that says what was measured where, and a data file. Verbs take the TOML file, or the "
+    "folder in\n"
+    "which it is called `recording.toml`. All channels are positive in the same vertical direction. What the file does "
+    "not say\n"
+    "(a speed, a sampling rate that the data file holds) may be left out; nothing is guessed.\n\n"
+    "| kind | the data file holds |\n"
+    "|---|---|\n"
+    "| `timeseries` | the samples of every channel: .csv (.gz), .mat (v5, v7.3), .uff or .unv (dataset 58, 58b), .wav, "
+    ".h5 |\n"
+    "| `psd` | CSV: `frequency_hz`, and per channel its PSD in the channel's unit squared per Hz |\n"
+    "| `points` | CSV: `channel`, `frequency_hz`, `value`, as a paper quotes them; optional `standard_error` |\n"
+    "| `receptance` | CSV: `frequency_hz`, and `re_m_per_n`, `im_m_per_n` or `magnitude_m_per_n` |\n"
+    "| `decay-rate` | CSV: `centre_hz`, `decay_rate_db_per_m`; optional `standard_error_db_per_m` |\n\n"
+    "A CSV file has a header row; fields end in a comma, a semicolon, a tab or blanks, numbers have a decimal point or "
+    "comma, lines\n"
+    "that start with `#`, `%` or `//` are comments, and an empty field is a missing sample.\n\n"
+    "This page is printed by `railpem describe recording` from the same description that reads the file.";
+
+/// The description that a path means: the file, or the one in the folder.
+fs::path description_path(const std::string& path) {
+    std::error_code status;
+    if (fs::is_directory(path, status)) {
+        fs::path inside = fs::path(path) / kDescriptionName;
+        if (!fs::exists(inside, status))
+            throw InputError(
+                fmt::format("{}: the folder holds no {}\nallowed: the folder of a recording, or its description", path,
+                            kDescriptionName));
+        return inside;
+    }
+    static const std::array<std::string, 12> data_endings{".csv", ".gz",   ".mat", ".uff",  ".unv", ".wav",
+                                                          ".w64", ".rf64", ".h5",  ".hdf5", ".txt", ".tsv"};
+    if (std::find(data_endings.begin(), data_endings.end(), fs::path(path).extension().string()) !=
+            data_endings.end() &&
+        fs::exists(path, status))
+        throw InputError(
+            fmt::format("{}: is data without its description\nallowed: a TOML file that names it in `data`; railpem "
+                        "describe recording says how",
+                        path));
+    return path;
+}
+
+/// Outputs of a recording that lies in a folder of its own are called after the folder.
+std::string recording_name(const fs::path& file) {
+    const std::string folder = fs::absolute(file).lexically_normal().parent_path().filename().string();
+    return file.filename() == kDescriptionName && !folder.empty() ? folder : file.stem().string();
+}
+
+void check_irregularity(const RecordingFile& file) {
+    if (file.description.irregularity.empty()) return;
+    std::error_code status;
+    const fs::path path = file.base / file.description.irregularity;
+    if (!fs::exists(path, status))
+        throw file.document.error(file.document.root.find("irregularity")->node.place,
+                                  {.what = fmt::format("there is no file '{}'", path.string()),
+                                   .allowed = "a path relative to this file",
+                                   .hint = ""});
+}
+
+}  // namespace
+
+const TableSchema& recording_schema() {
+    static const std::shared_ptr<const TableSchema> schema = recording_table().schema();
+    return *schema;
+}
+
+RecordingFile read_recording(const std::string& path) {
+    const fs::path file = description_path(path);
+    RecordingFile recording{.name = recording_name(file),
+                            .base = file.parent_path(),
+                            .description = {},
+                            .document = read_document(file.string())};
+    read_table(recording.document, recording_schema(), &recording.description);
+    try {
+        recordings::check(recording.description);
+    } catch (const parameters::ParameterError& error) {
+        throw refused(recording.document, error);
+    }
+    check_irregularity(recording);
+    return recording;
+}
+
+bool is_recording(const Document& document) {
+    return document.root.find("data") != nullptr || document.root.find("channel") != nullptr;
+}
+
+InputError refused_window(const std::string& description, const parameters::ParameterError& error) {
+    return InputError(fmt::format("{}: --window: {}\nallowed: {}", description, error.problem(), error.allowed()));
+}
+
+InputError refused(const recordings::ReadError& error, const std::string& description) {
+    const std::string place = error.line() > 0 ? fmt::format("{}:{}", error.file(), error.line()) : error.file();
+    const bool named = !description.empty() && description != error.file();
+    return InputError(fmt::format("{}: {}{}{}{}{}", place, error.problem(),
+                                  error.allowed().empty() ? "" : "\nallowed: ", error.allowed(),
+                                  named ? "\nnamed by: " : "", named ? description : ""));
+}
+
+std::string describe_recording() {
+    const RecordingDescription defaults;
+    return describe_table("The recording", kRecordingIntroduction, recording_schema(), &defaults);
+}
+
+}  // namespace railpem::app

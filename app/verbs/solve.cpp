@@ -1,0 +1,76 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <map>
+#include <memory>
+
+#include "app/output_folder.hpp"
+#include "app/schema/case_schema.hpp"
+#include "app/tables/response_summary.hpp"
+#include "app/tables/response_tables.hpp"
+#include "app/verbs/solve_speeds.hpp"
+#include "app/verbs/verbs.hpp"
+
+namespace railpem::app {
+
+namespace {
+
+struct SolveRequest {
+    std::vector<std::string> cases;
+    std::vector<std::string> options;
+    std::string folder;
+    int threads = 0;
+    bool bands = false;
+};
+
+/// All cases, before anything is computed or written. Outputs are called after the files, so the names must differ.
+std::vector<CaseFile> read_cases(const SolveRequest& request) {
+    std::vector<CaseFile> cases;
+    std::map<std::string, std::string> taken;
+    for (const std::string& path : request.cases) {
+        cases.push_back(read_case(path, request.options));
+        const auto [earlier, is_new] = taken.emplace(cases.back().name, path);
+        if (!is_new)
+            throw InputError(fmt::format(
+                "{}: its results would be called {}.psd.csv, like those of {}\nallowed: case files of different names",
+                path, cases.back().name, earlier->second));
+    }
+    return cases;
+}
+
+int solve(const SolveRequest& request) {
+    const std::vector<CaseFile> cases = read_cases(request);
+    OutputFolder folder(request.folder);
+    for (const CaseFile& file : cases) {
+        const std::vector<ResponseSpectra> speeds = solve_speeds(file, request.threads);
+        folder.write(file.name + ".psd.csv", csv_text(psd_table(speeds)));
+        folder.write(file.name + ".summary.json", summary_text(file.name, file.parameters, speeds));
+        if (request.bands) folder.write(file.name + ".bands.csv", csv_text(bands_table(speeds)));
+    }
+    folder.commit();
+    return 0;
+}
+
+}  // namespace
+
+void add_solve(CLI::App& program, Run& run) {
+    const auto request = std::make_shared<SolveRequest>();
+    CLI::App* verb =
+        program.add_subcommand("solve", "spectra of every response: DIR/<case>.psd.csv and DIR/<case>.summary.json");
+    verb->footer(
+        "Examples:\n"
+        "  railpem solve cases/wei2016/case1.toml cases/wei2016/case3.toml --out out\n"
+        "  railpem solve case.toml --out out --set track.pads.exponent=0.15");
+    verb->add_option("CASE", request->cases, "case files")->required();
+    verb->add_option("--out", request->folder, "folder for the results")->required()->type_name("DIR");
+    verb->add_flag("--bands", request->bands, "also DIR/<case>.bands.csv: third-octave levels");
+    verb->add_option("--threads", request->threads, "threads; without it as many as the machine has")
+        ->check(CLI::Range(1, 1024))
+        ->type_name("N");
+    verb->add_option("--set", request->options, "override a key of every case: key=value")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
+    verb->callback([request, &run] { run = [request] { return solve(*request); }; });
+}
+
+}  // namespace railpem::app

@@ -1,0 +1,63 @@
+#include "diagnosis/expectation/observed_channels.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "pem/coupling/sensor_chain.hpp"
+#include "pem/coupling/solution.hpp"
+
+namespace railpem::diagnosis {
+
+namespace {
+
+using Complex = std::complex<double>;
+
+/// m: a sensor on the body counts as over the pivot or at the centre within this
+constexpr double kOverThePivot_m = 0.25;
+
+std::string response_of(const recordings::ChannelDescription& channel, const pem::CaseParameters& parameters) {
+    using recordings::Location;
+    switch (channel.location) {
+        case Location::wheel:
+            return "wheel_" + std::to_string(channel.index);
+        case Location::bogie:
+            return "bogie_" + std::to_string(channel.index);
+        case Location::rail:
+            return "rail_" + std::to_string(channel.index);
+        case Location::body: {
+            const double pivot = parameters.vehicle.bogie_distance_m / 2.0;
+            if (std::abs(channel.position_m) < kOverThePivot_m) return "body";
+            if (std::abs(channel.position_m - pivot) < kOverThePivot_m) return "body_front";
+            if (std::abs(channel.position_m + pivot) < kOverThePivot_m) return "body_rear";
+            return {};
+        }
+        case Location::none:
+            return {};
+    }
+    return {};
+}
+
+}  // namespace
+
+Complex channel_factor(const pem::CaseParameters& parameters, const ObservedChannel& channel, double frequency) {
+    Complex factor = 1.0;
+    for (int i = 0; i < channel.integrations; ++i) factor /= Complex(0.0, 2.0 * std::numbers::pi * frequency);
+    for (const pem::SensorParameters& sensor : parameters.sensors)
+        if (pem::measured_response(sensor.channel) == pem::response_names()[channel.response].where)
+            factor *= pem::sensor_transfer(sensor, frequency);
+    return factor;
+}
+
+std::vector<ObservedChannel> observed_channels(const std::vector<recordings::ChannelDescription>& channels,
+                                               const pem::CaseParameters& parameters) {
+    std::vector<ObservedChannel> observed;
+    for (std::size_t c = 0; c < channels.size(); ++c) {
+        const std::string where = response_of(channels[c], parameters);
+        if (where.empty() || channels[c].quantity > recordings::ChannelQuantity::displacement) continue;
+        observed.push_back({c, pem::response_index(where), static_cast<int>(channels[c].quantity)});
+    }
+    return observed;
+}
+
+}  // namespace railpem::diagnosis

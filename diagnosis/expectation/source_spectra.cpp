@@ -1,0 +1,213 @@
+#include "diagnosis/expectation/source_spectra.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+
+#include "diagnosis/expectation/delay_phases.hpp"
+#include "lanes/complex_lanes.hpp"
+#include "pem/coupling/excitation.hpp"
+#include "pem/coupling/sensor_chain.hpp"
+#include "pem/coupling/solution.hpp"
+
+namespace railpem::diagnosis {
+
+using Complex = std::complex<double>;
+
+namespace {
+
+constexpr double kSuspicious = 1.2;  ///< ratio over a cell that deserves a look
+
+/// y·yᴴ, column by column.
+void add_outer_product(const std::vector<Complex>& y, Complex* power) {
+    const std::size_t size = y.size();
+    for (std::size_t j = 0; j < size; ++j)
+        for (std::size_t i = j; i < size; ++i) {
+            const Complex own = y[i] * std::conj(y[j]);
+            power[j * size + i] += own;
+            if (i != j) power[i * size + j] += std::conj(own);
+        }
+}
+
+bool differ(double a, double b, double ratio) {
+    return std::max(a, b) > ratio * std::min(a, b);
+}
+
+/// Two complex numbers.
+using Pair = double __attribute__((vector_size(4 * sizeof(double))));
+
+/// Σ t_j·e_j over four wheels, in two registers each: as complex numbers one after the other it waited for its own
+/// stores.
+class Dot {
+  public:
+    explicit Dot(const Complex* e) {
+        for (int half = 0; half < 2; ++half) {
+            const Complex a = e[2 * half], b = e[2 * half + 1];
+            real_[half] = Pair{a.real(), -a.imag(), b.real(), -b.imag()};
+            imaginary_[half] = Pair{a.imag(), a.real(), b.imag(), b.real()};
+        }
+    }
+
+    Complex operator()(const Complex* t) const {
+        Pair front, rear;
+        std::memcpy(&front, t, sizeof front);
+        std::memcpy(&rear, t + 2, sizeof rear);
+        const Pair re = front * real_[0] + rear * real_[1], im = front * imaginary_[0] + rear * imaginary_[1];
+        return {(re[0] + re[1]) + (re[2] + re[3]), (im[0] + im[1]) + (im[2] + im[3])};
+    }
+
+  private:
+    Pair real_[2], imaginary_[2];
+};
+
+}  // namespace
+
+// Paired bands may differ 16-fold at their edge; without this the expectation would jump whenever a change of speed
+// carries the edge over a line, by tens of nats, and no fit could pass.
+double power_over_cell(const pem::DelayedSpectrum& source, double frequency, double step, double centre) {
+    constexpr double kJump = 1.01;  ///< ratio over next to nothing that no smooth spectrum has
+    double low = frequency - 0.5 * step, high = frequency + 0.5 * step;
+    const double at_low = source.psd_m2_per_hz(low), at_high = source.psd_m2_per_hz(high);
+    double below = at_low, above = at_high;
+    if (!differ(at_low, at_high, kSuspicious)) return centre;
+    for (int i = 0; i < 50; ++i) {
+        const double middle = 0.5 * (low + high), own = source.psd_m2_per_hz(middle);
+        const bool upper = std::abs(std::log((own + 1e-300) / (below + 1e-300))) <
+                           std::abs(std::log((own + 1e-300) / (above + 1e-300)));
+        (upper ? low : high) = middle;
+        (upper ? below : above) = own;
+    }
+    if (!differ(below, above, kJump)) return centre;
+    const double share = (low - frequency) / step + 0.5;  // of the cell, below the edge
+    return share * 0.5 * (at_low + below) + (1.0 - share) * 0.5 * (above + at_high);
+}
+
+// An edge within a cell stands out between the line and one of its neighbours, too, by as much.
+std::vector<double> powers_at_lines(const pem::DelayedSpectrum& source, const FineGrid& grid) {
+    constexpr double kLook = 1.1;  ///< ratio between neighbours, well below kSuspicious
+    std::vector<double> at_line(grid.count), power(grid.count);
+    for (std::size_t i = 0; i < grid.count; ++i) at_line[i] = source.psd_m2_per_hz(grid.frequency(i));
+    for (std::size_t i = 0; i < grid.count; ++i) {
+        const double own = at_line[i];
+        const bool look =
+            i == 0 || i + 1 == grid.count || differ(at_line[i - 1], own, kLook) || differ(own, at_line[i + 1], kLook);
+        power[i] = look ? power_over_cell(source, grid.frequency(i), grid.step_hz, own) : own;
+    }
+    return power;
+}
+
+MetPowers met_powers(const pem::CaseParameters& parameters, const pem::DelayedSpectrum& irregularity, double speed,
+                     const FineGrid& grid, const MetPowers* known) {
+    const double patch = parameters.contact.patch_half_length_m;
+    if (known && known->at_lines.size() == grid.count && known->speed_m_per_s == speed &&
+        known->patch_half_length_m == patch && known->irregularity == parameters.irregularity)
+        return *known;
+    return {parameters.irregularity, patch, speed, powers_at_lines(irregularity, grid)};
+}
+
+std::vector<Complex> fine_responses(const pem::WheelTransfers& transfers, const pem::DelayedSpectrum& source,
+                                    const std::vector<double>& power, const std::vector<double>& wheels, double speed,
+                                    const FineGrid& grid) {
+    const std::size_t channels = transfers.responses.size();
+    std::vector<Complex> y(channels * grid.count), at(channels * 4);
+    DelayPhases delays(wheels, speed, grid);
+    for (std::size_t i = 0; i < grid.count; ++i) {
+        const double f = grid.frequency(i), root = std::sqrt(power[i]);
+        const std::array<Complex, 4>& delay = delays.at(i);
+        if (root == 0.0) continue;
+        pem::interpolate(transfers, f, at.data());
+        Complex e[4];
+        if (source.under_wheels)
+            std::ranges::copy(source.under_wheels(f), e);
+        else
+            for (std::size_t j = 0; j < 4; ++j) e[j] = root * source.share[j] * delay[j];
+        const Dot dot(e);
+        for (std::size_t c = 0; c < channels; ++c) y[c * grid.count + i] = dot(&at[c * 4]);
+    }
+    return y;
+}
+
+pem::WheelTransfers with_what_comes_back(const pem::WheelTransfers& transfers, const pem::FeltOrder& own) {
+    pem::WheelTransfers result = transfers;
+    const std::size_t channels = transfers.responses.size();
+    for (std::size_t line = 0; line < transfers.lines; ++line) {
+        const std::array<Complex, 16> back =
+            pem::at_frequency(own, transfers.from_hz + static_cast<double>(line) * transfers.step_hz);
+        Complex* row = result.values.data() + line * channels * 4;
+        for (std::size_t c = 0; c < channels; ++c)
+            for (std::size_t j = 0; j < 4; ++j)
+                for (std::size_t i = 0; i < 4; ++i) row[c * 4 + j] += transfers.at(line)[c * 4 + i] * back[i * 4 + j];
+    }
+    return result;
+}
+
+void for_each_felt(const pem::WheelTransfers& transfers, const std::vector<pem::FeltOrder>& felt,
+                   const pem::DelayedSpectrum& source, const std::vector<double>& wheels, double speed, double bin_hz,
+                   const ExpectedSpectra& expected,
+                   const std::function<void(std::size_t, double, const std::vector<Complex>&)>& take) {
+    const std::size_t size = expected.channels;
+    std::vector<Complex> at(size * 4), y(size);
+    for (std::size_t b = 0; b < expected.bins() && felt.size() > 1; ++b) {
+        const double f = static_cast<double>(expected.first_bin + b) * bin_hz;
+        pem::interpolate(transfers, f, at.data());
+        for (std::size_t order = 1; order < felt.size(); ++order) {
+            const std::array<Complex, 4> e = pem::felt_irregularity(felt, order, source, wheels, speed, f);
+            for (std::size_t c = 0; c < size; ++c)
+                y[c] = at[c * 4] * e[0] + at[c * 4 + 1] * e[1] + at[c * 4 + 2] * e[2] + at[c * 4 + 3] * e[3];
+            take(b, std::abs(f - felt[order].shift_hz), y);
+        }
+    }
+}
+
+void add_felt(const pem::WheelTransfers& transfers, const std::vector<pem::FeltOrder>& felt,
+              const pem::DelayedSpectrum& source, const std::vector<double>& wheels, double speed, double bin_hz,
+              ExpectedSpectra& expected) {
+    const std::size_t size = expected.channels;
+    for_each_felt(transfers, felt, source, wheels, speed, bin_hz, expected,
+                  [&](std::size_t b, double, const std::vector<Complex>& y) {
+                      add_outer_product(y, expected.values.data() + b * size * size);
+                  });
+}
+
+void add_lines(const pem::CaseParameters& parameters, const pem::WheelTransfers& transfers, const pem::LineSet& set,
+               const recordings::WindowKernel& kernel, ExpectedSpectra& expected) {
+    constexpr double kNodes[5] = {-2.8569700138728, -1.3556261799742, 0.0, 1.3556261799742, 2.8569700138728};
+    constexpr double kWeights[5] = {0.0112574113277, 0.2220759220056, 0.5333333333333, 0.2220759220056,
+                                    0.0112574113277};
+    const double bin = kernel.bin_hz();
+    const std::size_t size = expected.channels;
+    std::vector<Complex> at(size * 4);
+    for (const pem::SpectralLine& line : set.lines) {
+        const double first = static_cast<double>(expected.first_bin) * bin;
+        const double last = static_cast<double>(expected.first_bin + expected.bins()) * bin;
+        const double deviation = parameters.running.speed_fluctuation * line.frequency_hz;
+        const double reach = kReachBins * bin + 3.0 * deviation;
+        if (line.frequency_hz < first - reach || line.frequency_hz > last + reach) continue;
+        pem::interpolate(transfers, line.frequency_hz, at.data());
+        Eigen::VectorXcd response = Eigen::VectorXcd::Zero(static_cast<long>(size));
+        for (std::size_t c = 0; c < size; ++c)
+            for (std::size_t j = 0; j < 4; ++j) response(static_cast<long>(c)) += at[c * 4 + j] * line.amplitude_m[j];
+        const Eigen::MatrixXcd power = 0.5 * response * response.adjoint();
+        for (std::size_t b = 0; b < expected.bins(); ++b) {
+            const double distance = static_cast<double>(expected.first_bin + b) * bin - line.frequency_hz;
+            if (std::abs(distance) > reach) continue;
+            double density = 0.0;
+            for (int k = 0; k < 5; ++k) density += kWeights[k] * kernel(distance - kNodes[k] * deviation);
+            expected.matrix(b) += density * power;
+        }
+    }
+}
+
+void add_sensor_noise(const pem::CaseParameters& parameters, const std::vector<ObservedChannel>& channels,
+                      double bin_hz, ExpectedSpectra& expected) {
+    for (const pem::SensorParameters& sensor : parameters.sensors)
+        for (std::size_t c = 0; c < channels.size() && sensor.noise_rms_m_per_s2 > 0.0; ++c) {
+            if (pem::measured_response(sensor.channel) != pem::response_names()[channels[c].response].where) continue;
+            for (std::size_t b = 0; b < expected.bins(); ++b)
+                expected.matrix(b)(static_cast<long>(c), static_cast<long>(c)) +=
+                    pem::sensor_noise_psd(sensor, static_cast<double>(expected.first_bin + b) * bin_hz);
+        }
+}
+
+}  // namespace railpem::diagnosis

@@ -1,0 +1,16 @@
+#include "diagnosis/likelihood/likelihood_context.hpp"
+
+namespace railpem::diagnosis {
+
+LikelihoodContext blunted(const LikelihoodContext& context, double floor) {
+    LikelihoodContext blunt = context;
+    if (context.coarse) blunt.observations = context.coarse, blunt.every = kBluntEvery;
+    blunt.least_floor = floor;
+    return blunt;
+}
+
+const MeasuredSpectra& measured(const Observation& observation, Part part) {
+    return part == Part::fitted ? observation.fitted : part == Part::held_out ? observation.held_out : observation.all;
+}
+
+}  // namespace railpem::diagnosis

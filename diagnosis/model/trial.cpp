@@ -1,0 +1,329 @@
+#include "diagnosis/model/trial.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "diagnosis/observations/force_reference.hpp"
+#include "diagnosis/observations/measured_irregularity.hpp"
+#include "diagnosis/observations/shows.hpp"
+#include "pem/contact.hpp"
+#include "pem/coupling/solution.hpp"
+
+namespace railpem::diagnosis {
+
+namespace {
+
+/// of the irregularity's nuisance: wavelengths that a structure cannot imitate
+constexpr double kNodesPerOctave = 2.0;
+/// of a node, in log power: 1.5 dB, the scatter between sections of a line
+constexpr double kIrregularityDeviation = 0.35;
+/// of all wavelengths together: 1 dB. At 1.5 dB a track 8 dB smoother than believed was consistent
+constexpr double kLevelDeviation = 0.23;
+constexpr double kMeasuredLevelDeviation = 1e-3;  ///< where the nodes are measured they carry the level
+constexpr double kFluctuationDeviation = 1.5;     ///< of its logarithm: nobody states how steady a speed was
+constexpr double kLeastFluctuation = 1e-5, kMostFluctuation = 0.05;  ///< what a case may state
+constexpr double kPassingDeviation = 0.10;  ///< of the amplitude of sleeper passing computed from the case
+constexpr double kNoiseDeviation = 3.0;     ///< in log power: known to a factor of 20
+constexpr double kFloorMean = -7.6;         ///< log of 5e-4: what two sound simulators differ by
+/// a factor of twelve: bands that no trial can explain must be able to lose their weight
+constexpr double kFloorDeviation = 2.5;
+/// relative, of a level: what a model of this class is good for without phases
+constexpr double kScalarDiscrepancy = 0.05;
+constexpr double kScalarDiscrepancyDeviation = 0.5;
+constexpr double kScaleDeviation = 10.0;  ///< of the log power of a channel without a scale: as good as anything
+
+/// The slopes of all numbers nearly cancel along their common scale. A difference over 1e-6 is off by 1e-8 of the
+/// information (bogie mass, primary damping), which moved the scale by a deviation; over 1e-8 rounding does a third of
+/// that.
+constexpr double kNumberStep = 1e-7;
+
+std::vector<double> spline_wavelengths(const std::vector<Observation>& observations) {
+    double shortest = 1e300, longest = 0.0;
+    for (const Observation& observation : observations) {
+        if (!reaches(observation, Element::irregularity)) continue;
+        shortest = std::min(shortest, observation.speed_m_per_s / observation.expectation.high_hz);
+        longest = std::max(longest, observation.speed_m_per_s / observation.expectation.low_hz);
+    }
+    if (longest == 0.0) return {};
+    const int count = 1 + static_cast<int>(std::ceil(kNodesPerOctave * std::log2(longest / shortest)));
+    std::vector<double> nodes;
+    for (int i = 0; i < count; ++i)
+        nodes.push_back(shortest * std::pow(longest / shortest, static_cast<double>(i) / (count - 1)));
+    return nodes;
+}
+
+/// The longest wave first belongs to spline nodes of increasing wavelength.
+void add_irregularity(const BelievedCase& believed, const std::vector<Observation>& observations,
+                      std::vector<Unknown>& unknowns) {
+    const std::vector<double> nodes = spline_wavelengths(observations);
+    if (nodes.empty()) return;  // a track without a vehicle does not feel it
+    const std::vector<NodeBelief> beliefs =
+        node_beliefs(believed.numbers.irregularity, believed.measured_irregularity, nodes);
+    const bool any_measured =
+        std::any_of(beliefs.begin(), beliefs.end(), [](const NodeBelief& belief) { return belief.measured; });
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+        unknowns.push_back({.kind = UnknownKind::irregularity,
+                            .name = fmt::format("irregularity at {:.2g} m", nodes[i]),
+                            .mean = beliefs[i].measured ? beliefs[i].mean : 0.0,
+                            .deviation = beliefs[i].measured ? beliefs[i].deviation : kIrregularityDeviation,
+                            .low = -4.0,
+                            .high = 4.0,
+                            .step = 1e-5,
+                            .index = static_cast<int>(i),
+                            .set = [nodes, i](Trial& trial, double x) {
+                                auto& spline = trial.numbers.irregularity.wave_correction;
+                                if (spline.wavelength_m.empty()) {
+                                    spline.wavelength_m = nodes;
+                                    spline.log_factor.assign(nodes.size(), 0.0);
+                                }
+                                spline.log_factor[i] = x;
+                            }});
+    unknowns.push_back({.kind = UnknownKind::irregularity,
+                        .name = "irregularity level",
+                        .deviation = any_measured ? kMeasuredLevelDeviation : kLevelDeviation,
+                        .low = -4.0,
+                        .high = 4.0,
+                        .step = 1e-5,
+                        .index = -1,
+                        .set = [level = believed.numbers.irregularity.level_db](Trial& trial, double x) {
+                            trial.numbers.irregularity.level_db = level + x * 10.0 / std::log(10.0);
+                        }});
+}
+
+/// The first guess of a channel's scale.
+double guessed_scale(const Observation& observation, std::size_t channel) {
+    return observation.log_scale.empty() ? 0.0 : observation.log_scale[channel];
+}
+
+/// The scale of every channel whose unit cannot be trusted.
+void add_scales(const Observation& observation, std::size_t o, std::vector<Unknown>& unknowns) {
+    for (std::size_t c = 0; c < observation.channels.size(); ++c)
+        if (observation.unknown_scale[c])
+            unknowns.push_back(
+                {.kind = UnknownKind::gain,
+                 .name = fmt::format("scale of {} in {}", observation.channel_names[c], observation.name),
+                 .mean = guessed_scale(observation, c),
+                 .deviation = kScaleDeviation,
+                 .low = guessed_scale(observation, c) - 40.0,
+                 .high = guessed_scale(observation, c) + 40.0,
+                 .observation = static_cast<int>(o),
+                 .index = static_cast<int>(c),
+                 .set = [o, c](Trial& trial, double x) { trial.log_gain[o][c] = x; }});
+}
+
+/// The discrepancy of a recording and of those that share it.
+void add_discrepancy(const std::vector<Observation>& observations, std::size_t o, std::vector<Unknown>& unknowns) {
+    std::vector<std::size_t> led;
+    for (std::size_t other = 0; other < observations.size(); ++other)
+        if (observations[other].scalar && observations[other].scalar->leader.value_or(other) == o) led.push_back(other);
+    if (led.empty()) return;
+    unknowns.push_back({.kind = UnknownKind::discrepancy,
+                        .name = "discrepancy of " + observations[o].name,
+                        .mean = std::log(kScalarDiscrepancy),
+                        .deviation = kScalarDiscrepancyDeviation,
+                        .low = std::log(1e-4),
+                        .high = std::log(10.0),
+                        .observation = static_cast<int>(o),
+                        .set = [led](Trial& trial, double x) {
+                            for (const std::size_t own : led) trial.discrepancy[own] = std::exp(x);
+                        }});
+}
+
+/// The width of all lines. Held at a guess it is taken from their power: a line narrower than believed has less beside
+/// its bin than the model says, and the amplitude of an out-of-round wheel came out 14 % low.
+void add_fluctuation(const BelievedCase& believed, const std::vector<Observation>& observations,
+                     std::vector<Unknown>& unknowns) {
+    const double own = believed.numbers.running.speed_fluctuation;
+    if (std::all_of(observations.begin(), observations.end(),
+                    [](const Observation& observation) { return observation.scalar.has_value(); }))
+        return;
+    unknowns.push_back({.kind = UnknownKind::width,
+                        .name = "speed fluctuation",
+                        .deviation = kFluctuationDeviation,
+                        .low = std::log(kLeastFluctuation / own),
+                        .high = std::log(kMostFluctuation / own),
+                        .step = 1e-5,
+                        .set = [own](Trial& trial, double x) {
+                            trial.numbers.running.speed_fluctuation =
+                                std::clamp(own * std::exp(x), kLeastFluctuation, kMostFluctuation);
+                        }});
+}
+
+void add_recording(const std::vector<Observation>& observations, std::vector<Unknown>& unknowns) {
+    for (std::size_t o = 0; o < observations.size(); ++o) {
+        const Observation& observation = observations[o];
+        if (observation.scalar) add_discrepancy(observations, o, unknowns);
+        add_scales(observation, o, unknowns);
+        if (!reaches(observation, Element::irregularity)) continue;
+        const double speed = observation.speed_m_per_s;
+        unknowns.push_back(
+            {.kind = UnknownKind::speed,
+             .name = "speed of " + observation.name,
+             .deviation = observation.speed_tolerance,
+             .low = -0.1,
+             .high = 0.1,
+             .step = 1e-8,
+             .observation = static_cast<int>(o),
+             .set = [o, speed](Trial& trial, double x) { trial.speed_m_per_s[o] = speed * std::exp(x); }});
+        for (std::size_t c = 0; c < observation.noise_psd.size(); ++c) {
+            const double guess = std::log(observation.noise_psd[c]);
+            unknowns.push_back(
+                {.kind = UnknownKind::noise,
+                 .name = fmt::format("noise of {} in {}", observation.channel_names[c], observation.name),
+                 .mean = guess - 2.0,
+                 .deviation = kNoiseDeviation,
+                 .low = guess - 30.0,
+                 .high = guess + 3.0,
+                 .observation = static_cast<int>(o),
+                 .index = static_cast<int>(c),
+                 .set = [o, c](Trial& trial, double x) { trial.noise_psd[o][c] = std::exp(x); }});
+        }
+    }
+}
+
+void add_floor(const std::vector<Observation>& observations, std::vector<Unknown>& unknowns) {
+    for (std::size_t group = 0; group < kFloorGroups; ++group) {
+        const auto present = [&](const Observation& observation) {
+            return !observation.scalar &&
+                   std::any_of(observation.channels.begin(), observation.channels.end(),
+                               [&](const ObservedChannel& channel) { return floor_group(channel.response) == group; });
+        };
+        if (std::none_of(observations.begin(), observations.end(), present)) continue;
+        for (int node = 0; node < kFloorNodeCount; ++node) {
+            const int index = static_cast<int>(group) * kFloorNodeCount + node;
+            unknowns.push_back({.kind = UnknownKind::floor,
+                                .name = fmt::format("floor {} at {:g} Hz", group, kFloorNodes[node]),
+                                .mean = kFloorMean,
+                                .deviation = kFloorDeviation,
+                                .low = -14.0,
+                                .high = 1.0,
+                                .index = index,
+                                .set = [index](Trial& trial, double x) {
+                                    trial.floor[static_cast<std::size_t>(index)] = std::exp(x);
+                                }});
+        }
+    }
+}
+
+}  // namespace
+
+std::size_t floor_group(std::size_t response) {
+    const std::string& where = pem::response_names()[response].where;
+    return where.starts_with("body") ? 0 : where.starts_with("bogie") ? 1 : where.starts_with("wheel") ? 2 : 3;
+}
+
+FloorPlace floor_place(double frequency_hz) {
+    const double f = std::clamp(frequency_hz, kFloorNodes[0], kFloorNodes[kFloorNodeCount - 1]);
+    int node = 0;
+    while (node + 2 < kFloorNodeCount && f > kFloorNodes[node + 1]) ++node;
+    return {node, std::log(f / kFloorNodes[node]) / std::log(kFloorNodes[node + 1] / kFloorNodes[node])};
+}
+
+pem::CaseParameters case_of(const Trial& trial, const BelievedCase& believed, const Observation& observation) {
+    pem::CaseParameters parameters = trial.numbers;
+    apply(trial.effects, believed.access, parameters, true);
+    parameters.vehicle.payload_kg = observation.payload_kg;
+    for (vehicle::ForceSpectrum* own : {&parameters.vehicle.primary.own_force, &parameters.vehicle.secondary.own_force})
+        if (!own->empty() && !observation.fitted.values.empty())
+            own->reference_n2_per_hz = force_reference(observation, own->frequency_hz);
+    // Quoted spectra and hammer tests do not say that the wheels moved; what the case says of it holds.
+    if (!observation.scalar) parameters.solver.moving = true;
+    parameters.frequency.to_hz = observation.expectation.high_hz + 10.0;
+    return parameters;
+}
+
+Trial believed_trial(const BelievedCase& believed, const std::vector<Observation>& observations) {
+    Trial trial{.numbers = believed.numbers, .effects = believed.effects};
+    for (const Observation& observation : observations) {
+        trial.speed_m_per_s.push_back(observation.speed_m_per_s);
+        trial.noise_psd.push_back(observation.noise_psd);
+        trial.discrepancy.push_back(observation.scalar ? kScalarDiscrepancy : 0.0);
+        trial.log_gain.emplace_back();
+        for (std::size_t c = 0; c < observation.channels.size(); ++c)
+            trial.log_gain.back().push_back(guessed_scale(observation, c));
+    }
+    return trial;
+}
+
+std::vector<Unknown> nuisance_unknowns(const BelievedCase& believed, const std::vector<Observation>& observations) {
+    std::vector<Unknown> unknowns;
+    for (const BelievedNumber& number : believed.uncertain)
+        unknowns.push_back({.kind = UnknownKind::number,
+                            .name = number.key,
+                            .deviation = number.tolerance,
+                            .low = std::log(0.05),
+                            .high = std::log(20.0),
+                            .step = kNumberStep,
+                            .set = [&access = believed.access, number](Trial& trial, double x) {
+                                access.set(trial.numbers, number.key, number.value * std::exp(x));
+                            }});
+    add_irregularity(believed, observations, unknowns);
+    const double passing = believed.numbers.sleeper_passing.amplitude_factor;
+    if (passing > 0.0)
+        unknowns.push_back({.kind = UnknownKind::passing,
+                            .name = "sleeper passing",
+                            .deviation = kPassingDeviation,
+                            .low = -3.0,
+                            .high = 3.0,
+                            .step = 1e-5,
+                            .set = [passing](Trial& trial, double x) {
+                                trial.numbers.sleeper_passing.amplitude_factor = passing * std::exp(x);
+                            }});
+    add_fluctuation(believed, observations, unknowns);
+    add_recording(observations, unknowns);
+    add_floor(observations, unknowns);
+    return unknowns;
+}
+
+double to_coordinate(const EffectParameter& parameter, double value) {
+    return parameter.spread == Spread::logarithmic ? std::log(value) : value;
+}
+
+double from_coordinate(const EffectParameter& parameter, double coordinate) {
+    return parameter.spread == Spread::logarithmic ? std::exp(coordinate) : coordinate;
+}
+
+std::vector<Unknown> effect_unknowns(const EffectInstance& instance, std::size_t effect_index) {
+    const Effect* effect = find_effect(instance.effect);
+    assert(effect);
+    std::vector<Unknown> unknowns;
+    for (const EffectParameter& parameter : effect->parameters) {
+        const bool replaced =
+            std::any_of(effect->choices.begin(), effect->choices.end(), [&](const EffectChoice& choice) {
+                return choice.replaces == parameter.name && instance.choices.count(choice.name) > 0;
+            });
+        if (replaced) continue;
+        const double low = to_coordinate(parameter, parameter.low), high = to_coordinate(parameter, parameter.high);
+        unknowns.push_back({.kind = UnknownKind::effect,
+                            .name = effect->id + "." + parameter.name,
+                            .mean = 0.5 * (low + high),
+                            .deviation = 0.5 * (high - low),
+                            .low = low,
+                            .high = high,
+                            .step = 1e-6 * (high - low),
+                            .index = static_cast<int>(effect_index),
+                            .set = [parameter, effect_index](Trial& trial, double x) {
+                                trial.effects[effect_index].values[parameter.name] = from_coordinate(parameter, x);
+                            }});
+    }
+    return unknowns;
+}
+
+const EffectParameter* parameter_of(const Unknown& unknown) {
+    if (unknown.kind != UnknownKind::effect) return nullptr;
+    const std::size_t point = unknown.name.find('.');
+    const Effect& effect = *find_effect(unknown.name.substr(0, point));
+    const auto own = std::find_if(effect.parameters.begin(), effect.parameters.end(), [&](const EffectParameter& one) {
+        return one.name == unknown.name.substr(point + 1);
+    });
+    return own == effect.parameters.end() ? nullptr : &*own;
+}
+
+void set_values(Trial& trial, const std::vector<Unknown>& unknowns, const std::vector<double>& values) {
+    for (std::size_t i = 0; i < unknowns.size(); ++i) unknowns[i].set(trial, values[i]);
+}
+
+}  // namespace railpem::diagnosis

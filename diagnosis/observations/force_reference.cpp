@@ -1,0 +1,36 @@
+#include "diagnosis/observations/force_reference.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "pem/coupling/solution.hpp"
+
+namespace railpem::diagnosis {
+
+std::vector<double> force_reference(const Observation& observation, const std::vector<double>& nodes) {
+    constexpr double kMass_kg = 1000.0, kSide = 1.41;  ///< either side of a node: half an octave
+    const std::size_t size = observation.channels.size();
+    const auto is_bogie = [&](std::size_t c) {
+        return pem::response_names()[observation.channels[c].response].where.starts_with("bogie");
+    };
+    bool any_bogie = false;
+    for (std::size_t c = 0; c < size; ++c) any_bogie = any_bogie || is_bogie(c);
+    std::vector<double> reference;
+    for (const double node : nodes) {
+        double sum = 0.0, count = 0.0;
+        for (std::size_t bin = 0; bin < observation.bins(); ++bin) {
+            const double f = observation.frequency(bin);
+            if (f < node / kSide || f > node * kSide) continue;
+            for (std::size_t c = 0; c < size; ++c) {
+                if (any_bogie && !is_bogie(c)) continue;
+                sum += observation.fitted.values[bin * size * size + c * (size + 1)].real() *
+                       std::pow(2.0 * std::numbers::pi * f, 2 * observation.channels[c].integrations);
+                count += 1.0;
+            }
+        }
+        reference.push_back(kMass_kg * kMass_kg * (count > 0.0 ? sum / count : 1.0));
+    }
+    return reference;
+}
+
+}  // namespace railpem::diagnosis

@@ -1,0 +1,84 @@
+#pragma once
+// A recording as the likelihood sees it.
+
+#include <complex>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "diagnosis/expectation/expected_spectra.hpp"
+#include "diagnosis/observations/scalar_data.hpp"
+#include "recordings/estimates/window.hpp"
+
+namespace railpem::diagnosis {
+
+/// Averaged cross-spectral matrices of the observed channels from one part of a recording.
+struct MeasuredSpectra {
+    std::vector<std::complex<double>> values;  ///< as in ExpectedSpectra
+    std::vector<double> log_determinant;       ///< per bin; 0 where the averages are too few for one
+    double averages = 0.0;                     ///< effective number per bin when all bins are used together
+    double seconds = 0.0;
+};
+
+/// One recording: a vehicle at one speed and load (time series and spectra), or the track alone.
+struct Observation {
+    std::string name;
+    double speed_m_per_s = 0.0;
+    double speed_tolerance = 0.0;  ///< relative standard deviation
+    double payload_kg = 0.0;
+    std::vector<ObservedChannel> channels;
+    std::vector<std::string> channel_names;  ///< as the recording calls them
+    std::vector<bool> unknown_scale;         ///< per channel
+    /// per channel, or none: first guess of the log power of a scale that is unknown; 0 where it is known
+    std::vector<double> log_scale;
+    std::vector<double> noise_psd;  ///< per channel: first guess, squared unit per Hz
+    recordings::WindowKernel kernel;
+    ExpectationOptions expectation;
+    MeasuredSpectra fitted;    ///< what fits may see
+    MeasuredSpectra held_out;  ///< what no fit sees
+    MeasuredSpectra all;
+    std::optional<ScalarData> scalar;  ///< a recording without time series: the three parts above are then empty
+    /// the same recording in short windows: what a blunt likelihood needs, for half the work; none without time series
+    std::shared_ptr<const Observation> coarse;
+
+    std::size_t first_bin() const;
+    std::size_t bins() const { return all.log_determinant.size(); }
+    double frequency(std::size_t bin) const { return static_cast<double>(first_bin() + bin) * kernel.bin_hz(); }
+};
+
+/// of a recording that the likelihood takes: its matrices live in registers and on the stack
+inline constexpr int kMostChannels = 16;
+
+inline constexpr double kDefaultSpeedTolerance = 0.005;  ///< of a stated speed without a standard error
+inline constexpr std::size_t kFewestBins = 20;           ///< of a usable band
+inline constexpr double kRailStep = 2.0;                 ///< Hz, between the lines at which the rail is solved
+/// a band ends this much inside of what the irregularity excites
+inline constexpr double kBandEdge = 0.9;
+
+/// How a recording is turned into spectra.
+struct ObservationOptions {
+    double window_s = 4.0;  ///< long windows see finer differences; shorter ones forgive (diagnosis README)
+    /// where the likelihood is blunt; in 1 s both effects of the paper are no longer told from one
+    double coarse_window_s = 2.0;
+    double low_hz = 2.0;  ///< below, a minute has too few waves
+    double high_hz = 175.0;
+    double held_out_share = 0.25;  ///< of the end of the record, seen by no fit
+};
+
+/// Kernel and band of an observation at its speed: what the options ask for, cut to where the believed irregularity
+/// excites. Throws parameters::ParameterError when no usable band is left.
+void set_band(Observation& observation, const recordings::WindowKernel& kernel, const pem::CaseParameters& believed,
+              const ObservationOptions& options);
+
+/// Bins of the band that set_band() has set.
+std::size_t band_bins(const Observation& observation);
+
+/// log det of every matrix of `values`; 0 everywhere when `averages`, the independent ones of a single bin, are fewer
+/// than the channels and the matrices are singular.
+void set_log_determinants(MeasuredSpectra& measured, std::size_t channels, double averages);
+
+/// The observations in short windows; those that have none as they are.
+std::vector<Observation> coarse_observations(const std::vector<Observation>& observations);
+
+}  // namespace railpem::diagnosis

@@ -1,0 +1,110 @@
+#include "diagnosis/observations/observe.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "diagnosis/observations/channel_scales.hpp"
+#include "diagnosis/observations/held_distortion.hpp"
+#include "parameters/parameter_error.hpp"
+#include "recordings/estimates/cross_spectra.hpp"
+#include "recordings/stated_speed.hpp"
+
+namespace railpem::diagnosis {
+
+namespace {
+
+constexpr double kCoarseTransferStep = 0.5;  ///< 3e-5 of that power: nothing where the floor is a tenth
+
+MeasuredSpectra kept(const recordings::CrossSpectra& spectra, const std::vector<ObservedChannel>& channels,
+                     std::size_t first, std::size_t count) {
+    MeasuredSpectra measured;
+    const std::size_t size = channels.size();
+    measured.averages = spectra.averages_per_bin;
+    measured.values.reserve(count * size * size);
+    for (std::size_t bin = first; bin < first + count; ++bin)
+        for (std::size_t column = 0; column < size; ++column)
+            for (std::size_t row = 0; row < size; ++row)
+                measured.values.push_back(spectra.at(bin, channels[row].channel, channels[column].channel));
+    set_log_determinants(measured, size, spectra.averages);
+    return measured;
+}
+
+/// White noise of a channel, from the quietest bins of the record: an upper guess for the fit to start from.
+double quiet_level(const recordings::CrossSpectra& spectra, std::size_t channel) {
+    std::vector<double> values;
+    for (std::size_t bin = 1; bin + 1 < spectra.bins(); ++bin) values.push_back(spectra.psd(bin, channel));
+    std::nth_element(values.begin(), values.begin() + static_cast<long>(values.size() / 50), values.end());
+    return std::max(values[values.size() / 50], 1e-30);
+}
+
+/// Spectra of all parts of a recording in windows of one length.
+Observation windowed(const recordings::Recording& recording, Observation observation,
+                     const pem::CaseParameters& believed, const ObservationOptions& options, double window_s) {
+    const recordings::TimeSeries& series = recording.series;
+    const double held_from = series.duration_s() * (1.0 - options.held_out_share);
+    const recordings::SegmentOptions segments{.window_s = window_s};
+    const recordings::CrossSpectra all = recordings::estimate_cross_spectra(series, segments);
+    observation.channels = observed_channels(all.channels, believed);
+    if (observation.channels.empty())
+        throw parameters::ParameterError("channel", "none of the channels is a response that the case has",
+                                         "channels on body centre, body over the pivots, bogies, wheels or rail");
+    if (observation.channels.size() > static_cast<std::size_t>(kMostChannels))
+        throw parameters::ParameterError(
+            "channel", fmt::format("{} channels are responses of the case", observation.channels.size()),
+            fmt::format("at most {} of them in a recording", kMostChannels));
+    set_band(observation, all.kernel(), believed, options);
+    const std::size_t bins = band_bins(observation);
+    const auto part = [&](double from, double to) {
+        recordings::SegmentOptions own = segments;
+        own.from_s = from;
+        own.to_s = to;
+        MeasuredSpectra measured =
+            kept(recordings::estimate_cross_spectra(series, own), observation.channels, observation.first_bin(), bins);
+        measured.seconds = std::min(to, series.duration_s()) - from;
+        return measured;
+    };
+    observation.all = part(0.0, 1e300);
+    observation.fitted = part(0.0, held_from);
+    observation.held_out = part(held_from, 1e300);
+    for (const ObservedChannel& channel : observation.channels) {
+        observation.channel_names.push_back(all.channels[channel.channel].name);
+        observation.unknown_scale.push_back(all.channels[channel.channel].scale == recordings::Scale::unknown);
+        observation.noise_psd.push_back(quiet_level(all, channel.channel));
+    }
+    return observation;
+}
+
+/// The same in short windows, where they hold bins enough.
+std::shared_ptr<const Observation> coarse_of(const recordings::Recording& recording, const Observation& head,
+                                             const Observation& fine, const pem::CaseParameters& believed,
+                                             const ObservationOptions& options) {
+    if (static_cast<double>(fine.bins()) * options.coarse_window_s <
+        static_cast<double>(kFewestBins) * options.window_s)
+        return {};
+    Observation coarse = windowed(recording, head, believed, options, options.coarse_window_s);
+    coarse.expectation.transfer_step_hz = kCoarseTransferStep;
+    coarse.expectation.rail_every = static_cast<int>(kRailStep / kCoarseTransferStep);
+    coarse.expectation.sharp = false;
+    coarse.expectation.contacts = fine.expectation.contacts;
+    coarse.log_scale = fine.log_scale;
+    coarse.noise_psd = fine.noise_psd;  // where beliefs about noise begin
+    return std::make_shared<const Observation>(std::move(coarse));
+}
+
+}  // namespace
+
+Observation observe(const recordings::Recording& recording, const std::string& name,
+                    const pem::CaseParameters& believed, const ObservationOptions& options) {
+    const recordings::StatedSpeed speed = recordings::stated_speed(recording);
+    Observation head{.name = name, .speed_m_per_s = speed.m_per_s, .payload_kg = recording.description.payload_kg};
+    head.speed_tolerance = speed.standard_error > 0.0 ? speed.standard_error / speed.m_per_s : kDefaultSpeedTolerance;
+    Observation observation = windowed(recording, head, believed, options, options.window_s);
+    hold_contact_distortion(observation, believed);
+    guess_scales(observation, believed);
+    observation.coarse = coarse_of(recording, head, observation, believed, options);
+    return observation;
+}
+
+}  // namespace railpem::diagnosis

@@ -1,0 +1,64 @@
+#include "pem/coupling/sensor_chain.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace railpem::pem {
+
+namespace {
+
+constexpr double kNoiseFrom = 0.5, kNoiseTo = 500.0, kNoiseReference = 10.0;  // Hz
+
+}  // namespace
+
+std::string measured_response(const std::string& channel) {
+    std::string where = channel;
+    if (channel.starts_with("axlebox_")) where = "wheel_" + channel.substr(8);
+    if (channel == "body_centre") where = "body";
+    for (const ResponseName& name : response_names())
+        if (name.where == where && name.quantity == Quantity::acceleration) return where;
+    return {};
+}
+
+std::complex<double> sensor_transfer(const SensorParameters& sensor, double frequency_hz) {
+    std::complex<double> transfer =
+        std::polar(1.0, -2.0 * std::numbers::pi * frequency_hz * sensor.delay_s) * sensor.gain;
+    if (sensor.resonance_frequency_hz > 0.0) {
+        const double x = frequency_hz / sensor.resonance_frequency_hz;
+        transfer /= std::complex<double>(1.0 - x * x, 2.0 * sensor.resonance_damping_ratio * x);
+    }
+    if (!sensor.correction.empty()) transfer *= sensor.correction.at(2.0 * std::numbers::pi * frequency_hz);
+    return transfer;
+}
+
+double sensor_noise_psd(const SensorParameters& sensor, double frequency_hz) {
+    const double power = sensor.noise_slope_db_per_octave / (10.0 * std::log10(2.0));
+    const double lower = kNoiseFrom / kNoiseReference, upper = kNoiseTo / kNoiseReference;
+    const double integral = std::abs(power + 1.0) < 1e-9
+                                ? std::log(upper / lower)
+                                : (std::pow(upper, power + 1.0) - std::pow(lower, power + 1.0)) / (power + 1.0);
+    const double constant = sensor.noise_rms_m_per_s2 * sensor.noise_rms_m_per_s2 / (kNoiseReference * integral);
+    return constant * std::pow(frequency_hz / kNoiseReference, power);
+}
+
+void apply_sensors(const std::vector<SensorParameters>& sensors, Solution& solution) {
+    const std::size_t lines = solution.frequency_hz.size();
+    const std::size_t responses = response_names().size();
+    const std::size_t excitations = solution.source_names.size();
+    for (const SensorParameters& sensor : sensors) {
+        const std::size_t response = response_index(measured_response(sensor.channel));
+        for (std::size_t source = 0; source < excitations; ++source)
+            for (std::size_t line = 0; line < lines; ++line)
+                solution.pseudo_response[(source * responses + response) * lines + line] *=
+                    sensor_transfer(sensor, solution.frequency_hz[line]);
+        if (sensor.noise_rms_m_per_s2 == 0.0) continue;
+        solution.source_names.push_back("noise_" + sensor.channel);
+        solution.pseudo_response.resize(solution.source_names.size() * responses * lines);
+        std::complex<double>* noise =
+            solution.pseudo_response.data() + ((solution.source_names.size() - 1) * responses + response) * lines;
+        for (std::size_t line = 0; line < lines; ++line)
+            noise[line] = std::sqrt(sensor_noise_psd(sensor, solution.frequency_hz[line]));
+    }
+}
+
+}  // namespace railpem::pem

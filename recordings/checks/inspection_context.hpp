@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "recordings/estimates/wheelbase_speed.hpp"
+
+namespace railpem::recordings {
+
+/// What a believed case predicts for one channel: one-sided PSD in SI units.
+struct PredictedSpectrum {
+    std::string channel;
+    std::vector<double> frequency_hz;  ///< increasing
+    std::vector<double> psd;
+};
+
+/// What is believed about vehicle and track, as far as it helps to judge a recording. Everything may be absent.
+struct InspectionContext {
+    std::optional<VehicleGeometry> geometry;
+    double wheel_radius_m = 0.0;     ///< 0: not known
+    double sleeper_spacing_m = 0.0;  ///< 0: not known
+    std::vector<PredictedSpectrum> predicted;
+};
+
+}  // namespace railpem::recordings

@@ -1,0 +1,226 @@
+#include "recordings/files/isolated_read.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <poll.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstring>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+
+#include "recordings/files/read_error.hpp"
+
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define RAILPEM_ADDRESS_SANITIZER 1
+#endif
+#endif
+#if defined(__SANITIZE_ADDRESS__)
+#define RAILPEM_ADDRESS_SANITIZER 1
+#endif
+
+namespace railpem::recordings {
+namespace {
+
+enum class Answer : char { table = 't', refused = 'r' };
+
+void write_all(int pipe, const void* data, std::size_t bytes) {
+    const char* at = static_cast<const char*>(data);
+    while (bytes > 0) {
+        const ssize_t written = write(pipe, at, bytes);
+        if (written < 0 && errno == EINTR) continue;
+        if (written <= 0) _exit(3);  // the parent is gone: nobody is left to tell
+        at += written;
+        bytes -= static_cast<std::size_t>(written);
+    }
+}
+
+void write_text(int pipe, const std::string& text) {
+    const std::size_t size = text.size();
+    write_all(pipe, &size, sizeof size);
+    write_all(pipe, text.data(), size);
+}
+
+void write_table(int pipe, const DataTable& table) {
+    const std::array<std::size_t, 3> sizes = {table.names.size(), table.rows(), table.notes.size()};
+    write_all(pipe, sizes.data(), sizeof sizes);
+    write_all(pipe, &table.sampling_rate_hz, sizeof table.sampling_rate_hz);
+    for (const std::string& name : table.names) write_text(pipe, name);
+    for (const std::string& note : table.notes) write_text(pipe, note);
+    for (const auto& column : table.columns) write_all(pipe, column.data(), column.size() * sizeof(double));
+}
+
+#ifndef RAILPEM_ADDRESS_SANITIZER
+/// What a reader of this file may need: its numbers, when it is compressed as far as deflate goes (1032:1, zlib.net)
+/// and every byte becomes a double, beside what the process has mapped already. A small file that asks for gigabytes is
+/// refused before it gets them.
+std::size_t address_space(const std::string& file, const ReadLimits& limits) {
+    constexpr std::size_t libraries = std::size_t{256} << 20, expansion = 1032 * (sizeof(double) + 2);
+    std::error_code ignored;
+    const std::uintmax_t size = std::filesystem::file_size(file, ignored);
+    const std::size_t most = limits.memory_bytes + (std::size_t{1} << 30);
+    const std::size_t needed = ignored || size > most / expansion ? most : static_cast<std::size_t>(size) * expansion;
+    std::size_t pages = 0;
+    std::ifstream("/proc/self/statm") >> pages;
+    return pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE)) + libraries + needed;
+}
+#endif
+
+[[noreturn]] void be_the_child(int pipe, [[maybe_unused]] const std::string& file, const ReadLimits& limits,
+                               const std::function<DataTable()>& work) {
+    const rlimit no_core{0, 0};
+    setrlimit(RLIMIT_CORE, &no_core);
+    const rlimit processor{static_cast<rlim_t>(limits.seconds) + 1, static_cast<rlim_t>(limits.seconds) + 2};
+    setrlimit(RLIMIT_CPU, &processor);
+#ifndef RAILPEM_ADDRESS_SANITIZER  // which maps terabytes of shadow memory
+    const std::size_t most = address_space(file, limits);
+    const rlimit memory{most, most};
+    setrlimit(RLIMIT_AS, &memory);
+#endif
+    for (const int signal : {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL}) std::signal(signal, SIG_DFL);
+    std::set_terminate([] { _exit(2); });  // what the parent would do then, its folders among it, is not for the child
+    const int silent = open("/dev/null", O_WRONLY);
+    if (silent >= 0) {  // what the libraries print about a damaged file is not for the user
+        dup2(silent, STDOUT_FILENO);
+        dup2(silent, STDERR_FILENO);
+    }
+    try {
+        const DataTable table = work();
+        for (std::size_t i = 1; i < table.columns.size(); ++i)
+            if (table.columns[i].size() != table.rows())
+                throw ReadError("", 0,
+                                fmt::format("'{}' has {} samples and '{}' has {}", table.names[0], table.rows(),
+                                            table.names[i], table.columns[i].size()),
+                                "channels of one length");
+        const Answer answer = Answer::table;
+        write_all(pipe, &answer, 1);
+        write_table(pipe, table);
+    } catch (const ReadError& error) {
+        const Answer answer = Answer::refused;
+        write_all(pipe, &answer, 1);
+        write_text(pipe, error.problem());
+        write_text(pipe, error.allowed());
+    } catch (const std::bad_alloc&) {
+        const Answer answer = Answer::refused;
+        write_all(pipe, &answer, 1);
+        write_text(pipe, "reading it would take too much memory");
+        write_text(pipe, fmt::format("at most {} MB of numbers", limits.memory_bytes >> 20));
+    } catch (...) {
+        _exit(2);
+    }
+    _exit(0);
+}
+
+/// The parent's end of the pipe: reads what was promised, or says that it did not come.
+class Answers {
+  public:
+    Answers(int pipe, double seconds)
+        : pipe_(pipe),
+          until_(std::chrono::steady_clock::now() + std::chrono::milliseconds(static_cast<long>(1000.0 * seconds))) {}
+    ~Answers() { close(pipe_); }
+    Answers(const Answers&) = delete;
+    Answers& operator=(const Answers&) = delete;
+
+    bool read_all(void* data, std::size_t bytes) {
+        char* at = static_cast<char*>(data);
+        while (bytes > 0) {
+            const auto left =
+                std::chrono::duration_cast<std::chrono::milliseconds>(until_ - std::chrono::steady_clock::now())
+                    .count();
+            pollfd ready{pipe_, POLLIN, 0};
+            const int polled = left > 0 ? poll(&ready, 1, static_cast<int>(std::min<long>(left, 1000000))) : 0;
+            if (polled < 0 && errno == EINTR) continue;
+            if (polled <= 0) return false;
+            const ssize_t got = read(pipe_, at, bytes);
+            if (got < 0 && errno == EINTR) continue;
+            if (got <= 0) return false;
+            at += got;
+            bytes -= static_cast<std::size_t>(got);
+        }
+        return true;
+    }
+
+    bool read_text(std::string& text) {
+        std::size_t size = 0;
+        if (!read_all(&size, sizeof size) || size > (std::size_t{1} << 24)) return false;
+        text.resize(size);
+        return read_all(text.data(), size);
+    }
+
+    bool read_table(DataTable& table, const ReadLimits& limits) {
+        std::array<std::size_t, 3> sizes{};
+        if (!read_all(sizes.data(), sizeof sizes) || !read_all(&table.sampling_rate_hz, sizeof table.sampling_rate_hz))
+            return false;
+        const auto [columns, rows, notes] = sizes;
+        if (columns > limits.columns || notes > 1000 ||
+            rows > limits.memory_bytes / sizeof(double) / std::max<std::size_t>(1, columns))
+            return false;
+        table.names.resize(columns);
+        table.notes.resize(notes);
+        for (std::string& name : table.names)
+            if (!read_text(name)) return false;
+        for (std::string& note : table.notes)
+            if (!read_text(note)) return false;
+        for (std::size_t i = 0; i < columns; ++i) {
+            table.columns.emplace_back(rows);
+            if (!read_all(table.columns.back().data(), rows * sizeof(double))) return false;
+        }
+        return true;
+    }
+
+  private:
+    int pipe_;
+    std::chrono::steady_clock::time_point until_;
+};
+
+}  // namespace
+
+DataTable read_isolated(const std::string& file, const ReadLimits& limits, const std::function<DataTable()>& work) {
+    std::array<int, 2> ends{};
+    if (pipe2(ends.data(), O_CLOEXEC) != 0)
+        throw ReadError(file, 0, fmt::format("no pipe to its reader ({})", std::strerror(errno)),
+                        "a system with a free file descriptor");
+    const pid_t child = fork();
+    if (child == 0) {
+        close(ends[0]);
+        be_the_child(ends[1], file, limits, work);
+    }
+    close(ends[1]);
+    Answers answers(ends[0], limits.seconds);
+    if (child < 0)
+        throw ReadError(file, 0, fmt::format("no process for its reader ({})", std::strerror(errno)),
+                        "a system that lets a process start");
+
+    Answer answer = Answer::refused;
+    DataTable table;
+    std::optional<ReadError> refused;
+    bool complete = answers.read_all(&answer, 1);
+    if (complete && answer == Answer::refused) {
+        std::string problem, allowed;
+        complete = answers.read_text(problem) && answers.read_text(allowed);
+        if (complete) refused.emplace(file, 0, problem, allowed);
+    } else if (complete) {
+        complete = answers.read_table(table, limits);
+    }
+    if (!complete) kill(child, SIGKILL);
+    int status = 0;
+    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+    }
+    if (refused) throw *refused;
+    if (!complete)
+        throw ReadError(file, 0, "the file is damaged: its reader stopped in the middle",
+                        "a complete file of its kind");
+    return table;
+}
+
+}  // namespace railpem::recordings

@@ -1,0 +1,29 @@
+#pragma once
+// The steps of an inspection that one record and the joined sections of a long one share.
+
+#include <optional>
+
+#include "recordings/estimates/cross_spectra.hpp"
+#include "recordings/inspection/inspection.hpp"
+
+namespace railpem::recordings {
+
+/// What one section shows by itself, and the spectra (2 s windows) from which those of the whole are made; none when
+/// it has no complete window.
+struct InspectedSection {
+    InspectionReport report;  ///< without what describe_spectra() and name_lines() fill
+    std::optional<CrossSpectra> spectra;
+};
+
+InspectedSection inspect_section(const Recording& recording, const InspectionContext& context);
+
+/// Fills everything that follows from the spectra: PSD, third-octaves, incoherent part, noise, coherence, averages.
+void describe_spectra(const CrossSpectra& spectra, InspectionReport& report);
+
+/// Fills what follows from lines and speed: the wheel's rotation, the names of the lines and the named frequencies.
+void name_lines(const InspectionContext& context, InspectionReport& report);
+
+/// Errors first, else in the order in which they were found.
+void sort_faults(std::vector<Fault>& faults);
+
+}  // namespace railpem::recordings
