@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Fails when two source files of one folder keep the same name to themselves: builds without a compiler cache compile many of them as one unit.
+"""Fails when two source files of one folder, rooms included, keep the same name to themselves: builds without a compiler
+cache compile many of them as one unit.
 
 Constants and types at the beginning of a line count; functions do not, for they may differ in what they take.
 """
@@ -11,20 +12,22 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 OWN = re.compile(r"^(?:(?:static )?(?:constexpr|const) [\w:<>, *&]*?(?P<constant>\w+)(?:\[\w*\])?(?: =|\{|;)|(?:struct|class|enum class|enum|union) (?P<type>\w+)(?:[^;]*\{|\s*:))", re.M)
 
+NAMESPACE = re.compile(r"^namespace (railpem::[\w:]+) \{", re.M)
+
 
 def folders():
-    for build in ROOT.rglob("CMakeLists.txt"):
-        if not any(part in ("build", "out") for part in build.relative_to(ROOT).parts):
-            yield build.parent
+    yield from (build.parent for build in ROOT.glob("*/CMakeLists.txt") if build.parent.name not in ("build", "out", "tests"))
     yield from (path for path in ROOT.glob("tests/*/*") if path.is_dir())
 
 
 def clashes(folder):
     seen = collections.defaultdict(set)
-    for source in folder.glob("*.cpp"):
-        for match in OWN.finditer(source.read_text()):
-            seen[match["constant"] or match["type"]].add(source.name)
-    return {name: sorted(files) for name, files in seen.items() if len(files) > 1}
+    for source in folder.rglob("*.cpp"):
+        text = source.read_text(encoding="utf-8")
+        space = NAMESPACE.search(text)
+        for match in OWN.finditer(text):
+            seen[(space and space[1], match["constant"] or match["type"])].add(source.relative_to(folder).as_posix())
+    return {name: sorted(files) for (_, name), files in seen.items() if len(files) > 1}
 
 
 def main():

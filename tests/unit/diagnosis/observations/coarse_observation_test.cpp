@@ -7,7 +7,7 @@
 
 #include "diagnosis/observations/observation.hpp"
 #include "diagnosis/search/from_afar.hpp"
-#include "scalar_recordings.hpp"
+#include "tests/unit/diagnosis/scalar_recordings.hpp"
 
 namespace railpem::diagnosis {
 namespace {

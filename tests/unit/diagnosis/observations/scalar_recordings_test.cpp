@@ -8,7 +8,7 @@
 
 #include "diagnosis/likelihood/scalar_likelihood.hpp"
 #include "parameters/parameter_error.hpp"
-#include "scalar_recordings.hpp"
+#include "tests/unit/diagnosis/scalar_recordings.hpp"
 
 namespace railpem::diagnosis {
 namespace {

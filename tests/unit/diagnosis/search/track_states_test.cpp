@@ -9,7 +9,7 @@
 #include "diagnosis/findings/decay_rate_reference.hpp"
 #include "diagnosis/likelihood/hold_out_recordings.hpp"
 #include "diagnosis/model/predict_scalars.hpp"
-#include "scalar_recordings.hpp"
+#include "tests/unit/diagnosis/scalar_recordings.hpp"
 
 namespace railpem::diagnosis {
 namespace {
