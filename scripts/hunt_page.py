@@ -9,8 +9,8 @@ Nothing that the paper states is changed to get there.
 
 ## Result
 
-- **A short, truncated rail does it: {closest:.2f} %.** A simply supported rail over 37 pads (one pad beyond each outer wheel, the
-  ends half a bay farther, 22.2 m in all) with 19 bending modes (up to 380 Hz), case 3 as published, everything else as
+- **A short, truncated rail does it: {closest:.2f} %.** The rail is simply supported over 37 pads: one pad beyond each outer wheel,
+  the ends half a bay farther, 22.2 m in all. It has 19 bending modes (up to 380 Hz). Case 3 is as published, everything else as
   shipped. {closest_teeth} of the six spectra are then highest where the paper says (as shipped: {base_teeth}), every local maximum lies within
   {closest_hz:.1f} Hz of the published one. The paper gives neither the length of its rail nor the number of its modes.
 
@@ -19,7 +19,7 @@ Nothing that the paper states is changed to get there.
 
 - **It may well be a coincidence; it is not shown that the paper did so.** Of {combined} combinations of contact, place of the
   wheels, length of the rail and number of its modes {reached} reach 5 %, all on 37 pads. With 17 to 22 modes the rms stays near 5 %, but the
-  length must be right to 0.3 m (left figure): an end 0.9 m beyond a wheel reflects what the wheel sends, and
+  length must be right to 0.3 m (left figure). An end 0.9 m beyond a wheel reflects what the wheel sends, and
   a bay more at each end takes the rms above 11 %. Two errors, an end too near and a receptance too small, make up
   for what is missing. As a model of a track it is the worse one, so the cases ship with the endless rail.
 - **On a long rail nothing does it.** The best of {long_count} combinations on an endless rail or 61 pads is {long_best:.1f} %.
@@ -55,8 +55,8 @@ spectrum are settled by factors of two.
 
 ## Combinations
 
-Contact (worn; worn with the K_h of 61 kN; new tread) × wheels over or between the pads × rail (endless; 37, 39, 43, 61 pads with 0.7 to 3
-modes per metre): {combined} with both static variants. The ten closest:
+{combined} combinations with both static variants: contact (worn; worn with the K_h of 61 kN; new tread) × wheels over or between the
+pads × rail (endless; 37, 39, 43, 61 pads with 0.7 to 3 modes per metre). The ten closest:
 
 {best}
 
@@ -69,8 +69,9 @@ the paper's program, but not of one of 22.2 m: no combination has both the frequ
 
 ## If a stated value were another
 
-Diagnosis only: each stated value scaled alone on the endless rail, by the factor (0.55 to 1.82, exponent 0.90 to 1.06) that makes
-the rms smallest; 0.55 is the end of the range, not a minimum. None of it is adopted.
+Diagnosis only: each stated value is scaled alone on the endless rail, by the factor that makes
+the rms smallest. Factors go from 0.55 to 1.82, of the exponent from 0.90 to 1.06; 0.55 is the end of the range, not a minimum.
+None of it is adopted.
 
 {stated}
 """

@@ -13,9 +13,9 @@ from paper_levels import ROOT, VARIANTS
 TEXT = """# The paper beside the program
 
 Every level and frequency that Wei et al. (2016) quote, and what `railpem solve cases/wei2016/*.toml` gives: wheel 1, its rail,
-bogie 1. Written by `scripts/paper_table.py`. The two variants differ in the static analysis of case 3 only:
-*as published* ([case3.toml](../../cases/wei2016/case3.toml)) uses the lateral second moment of area there, 5.24e-6 m⁴, because
-Figures 4 and 5 come out only so; *Table 2 throughout* ([case3_consistent.toml](../../cases/wei2016/case3_consistent.toml)) uses
+bogie 1. Written by `scripts/paper_table.py`. The two variants differ in the static analysis of case 3 only.
+*As published* ([case3.toml](../../cases/wei2016/case3.toml)) uses the lateral second moment of area there, 5.24e-6 m⁴, because
+Figures 4 and 5 come out only so. *Table 2 throughout* ([case3_consistent.toml](../../cases/wei2016/case3_consistent.toml)) uses
 3.22e-5 m⁴ as in the dynamics.
 
 Nothing is tuned. How far the remaining differences go back to what the paper leaves open: [hunt.md](hunt.md).
@@ -31,7 +31,7 @@ Root mean square of the logarithms of the twelve ratios: **{published:.2f} % as 
 The paper quotes two digits: rounding alone leaves up to 4 % in the bogie's 0.12 and 1.2 % in the wheel's 4.2.
 
 Every local maximum lies within {worst:.1f} Hz of the published frequency. The spectra are a comb with a tooth every
-v/2.4 m = 9.26 Hz, and where two teeth are nearly equal the highest one may be another than the paper's; the rail of case 1 is
+v/2.4 m = 9.26 Hz. Where two teeth are nearly equal the highest one may be another than the paper's. The rail of case 1 is
 highest above the 65 to 185 Hz that the paper discusses:
 
 {elsewhere}
