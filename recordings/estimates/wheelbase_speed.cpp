@@ -8,14 +8,6 @@
 namespace railpem::recordings {
 namespace {
 
-std::optional<double> place_of(const ChannelDescription& channel, const VehicleGeometry& geometry) {
-    if (channel.location == Location::wheel && channel.index >= 1 && channel.index <= 4)
-        return geometry.wheels_m[static_cast<std::size_t>(channel.index - 1)];
-    if (channel.location == Location::bogie && channel.index >= 1 && channel.index <= 2)
-        return geometry.bogies_m[static_cast<std::size_t>(channel.index - 1)];
-    return std::nullopt;
-}
-
 bool comparable(const ChannelDescription& a, const ChannelDescription& b) {
     return a.location == b.location && a.quantity == b.quantity && a.index != b.index &&
            (a.side == b.side || a.side == Side::unstated || b.side == Side::unstated);
@@ -50,9 +42,17 @@ Mean weighted_mean(const std::vector<PairDelay>& pairs, const std::vector<bool>&
 
 }  // namespace
 
+std::optional<double> place_along(const ChannelDescription& channel, const VehicleGeometry& geometry) {
+    if (channel.location == Location::wheel && channel.index >= 1 && channel.index <= 4)
+        return geometry.wheels_m[static_cast<std::size_t>(channel.index - 1)];
+    if (channel.location == Location::bogie && channel.index >= 1 && channel.index <= 2)
+        return geometry.bogies_m[static_cast<std::size_t>(channel.index - 1)];
+    return std::nullopt;
+}
+
 std::optional<double> distance_between(const ChannelDescription& first, const ChannelDescription& second,
                                        const VehicleGeometry& geometry) {
-    const auto a = place_of(first, geometry), b = place_of(second, geometry);
+    const auto a = place_along(first, geometry), b = place_along(second, geometry);
     if (!a || !b) return std::nullopt;
     return *a - *b;
 }

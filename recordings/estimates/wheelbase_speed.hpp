@@ -37,6 +37,9 @@ struct SpeedRange {
     double most_m_per_s = 120.0;
 };
 
+/// Place of a channel along the track, m from the centre of the body; nothing where it has none.
+std::optional<double> place_along(const ChannelDescription& channel, const VehicleGeometry& geometry);
+
 /// Distance between the places of two channels, first minus second; nothing when either has no place along the track.
 std::optional<double> distance_between(const ChannelDescription& first, const ChannelDescription& second,
                                        const VehicleGeometry& geometry);
