@@ -20,7 +20,7 @@ FACTS = {
     "expectation/source_spectra.cpp kNodes": "Gauss-Hermite rule",
     "expectation/source_spectra.cpp kWeights": "Gauss-Hermite rule",
     "observations/observation.hpp kMostChannels": "matrices live in registers and on the stack",
-    "likelihood/split_matrix.cpp kVector": "rows of the processor's vectors",
+    "likelihood/split_matrix.hpp kVector": "rows of the processor's vectors",
     "likelihood/split_matrix.cpp kLeastProduct": "two such numbers stay far from underflow",
     "likelihood/whitened_columns.hpp kLane": "unknowns side by side in the processor's vectors",
     "likelihood/whitened_columns.hpp kBins": "a block of them stays in the cache",
