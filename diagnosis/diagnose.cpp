@@ -124,7 +124,8 @@ class Diagnosing {
         const std::size_t before = naming_.sets.size();
         HeldBeliefs held = drop_unfounded_beliefs(naming_, options_.thresholds, [this](const FittedSet& set) {
             say("the case that keeps what was believed", 0.755);
-            return fit_belief_kept(believed_, naming_.retuned.fit, set, context_, {.patience = kRetuningPatience});
+            return fit_belief_kept(believed_, naming_.retuned.fit, set, context_,
+                                   {.patience = kFitSettings.retuning_patience});
         });
         study_.belief_kept = std::move(held.of_best);
         study_.unfounded.insert(study_.unfounded.end(), held.unfounded.begin(), held.unfounded.end());
@@ -258,7 +259,7 @@ class Diagnosing {
         LikelihoodContext all = context_;
         all.part = Part::all;
         FitOptions retuning = near_;
-        retuning.patience = kRetuningPatience;
+        retuning.patience = kFitSettings.retuning_patience;
         retuned_ = fit_set(believed_, naming_.retuned.fit, {}, {}, {}, all, retuning);
         named_ = decision.named ? fit_set(believed_, decision.named->fit, decision.named->effects,
                                           decision.named->released, {}, all, near_)

@@ -8,6 +8,7 @@
 #include "app/output_folder.hpp"
 #include "app/schema/case_schema.hpp"
 #include "diagnosis/findings/diagnosis.hpp"
+#include "diagnosis/observations/observation_options.hpp"
 
 namespace railpem::app {
 
@@ -17,7 +18,8 @@ struct DiagnosisRequest {
     std::vector<std::string> recordings;  ///< folders or descriptions
     std::vector<std::string> without;     ///< effects that the catalogue shall not have
     std::vector<std::string> set;         ///< as given to --set, for the command; the case has them already
-    double window_s = 4.0, held_out = 0.25;
+    double window_s = diagnosis::ObservationOptions{}.window_s,
+           held_out = diagnosis::ObservationOptions{}.held_out_share;
     double effort_s = 75.0;  ///< NamingOptions::effort_s
     int threads = 0, most_effects = 3;
 };

@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "diagnosis/expectation/expectation_settings.hpp"
 #include "pem/coupling/excitation.hpp"
 #include "pem/coupling/wheel_transfers.hpp"
 #include "pem/distortion/contact_distortion.hpp"
@@ -40,10 +41,11 @@ struct StageFriction {
 /// How the expectation is computed.
 struct ExpectationOptions {
     double low_hz = 4.0;
-    double high_hz = 175.0;
+    double high_hz = kExpectationSettings.band_high_hz;
     /// grid of the single-wheel transfers: what an axle box leaves unsaid by the others is 1e-5 of its power
     double transfer_step_hz = 0.25;
-    int rail_every = 8;    ///< the rail is smoother still: solved at one line of that grid in so many
+    /// the rail is smoother still: solved at one line of that grid in so many
+    int rail_every = static_cast<int>(kExpectationSettings.rail_step_hz / transfer_step_hz);
     int oversampling = 4;  ///< fine lines per bin; at least 2·(1 + longest wheel delay/segment)
     /// else, for who forgives a tenth: no modulation by equal seats (29 to 40 dB below the rest), derivatives from
     /// every second line of the rolling rail's table

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <string>
 
+#include "diagnosis/expectation/expectation_settings.hpp"
 #include "diagnosis/expectation/faint_sources.hpp"
 #include "diagnosis/expectation/friction_spectra.hpp"
 #include "diagnosis/expectation/kernel_smoothing.hpp"
@@ -21,15 +22,12 @@
 namespace railpem::diagnosis {
 
 recordings::KernelWeights expectation_weights(const recordings::WindowKernel& kernel, int oversampling) {
-    return recordings::kernel_weights(kernel, oversampling, kReachBins);
+    return recordings::kernel_weights(kernel, oversampling, kExpectationSettings.kernel_reach_bins);
 }
 
 namespace {
 
 using Complex = std::complex<double>;
-
-/// of the strongest order of the modulation: 20 dB below what is itself 30 dB below the irregularity
-constexpr double kLeastOrder = 0.1;
 
 /// The coarse grid of the transfers, which covers the fine one.
 struct TransferGrid {
@@ -40,27 +38,26 @@ struct TransferGrid {
 /// Half-power width of the narrowest mode of the vehicle, Hz. Modes so heavy or masses so light that nothing feels them
 /// (a probe of the screening) do not count: a probe is held against the case without it, on the same grid.
 double narrowest_mode(const vehicle::VehicleParameters& vehicle) {
-    constexpr double kFelt = 1e-3;
+    const double felt = kExpectationSettings.least_felt_mass;
     double narrowest = 1e300;
     for (const vehicle::BodyBendingMode& mode : vehicle.body_bending)
-        if (vehicle.body_mass_kg > kFelt * mode.modal_mass_kg)
+        if (vehicle.body_mass_kg > felt * mode.modal_mass_kg)
             narrowest = std::min(narrowest, 2.0 * mode.damping_ratio * mode.frequency_hz);
     for (const vehicle::WheelsetBendingMode& mode : vehicle.wheelset_bending)
-        if (vehicle.wheelset_mass_kg > kFelt * mode.modal_mass_kg)
+        if (vehicle.wheelset_mass_kg > felt * mode.modal_mass_kg)
             narrowest = std::min(narrowest, 2.0 * mode.damping_ratio * mode.frequency_hz);
     for (const vehicle::BogieMountedMass& mass : vehicle.bogie_mounted_masses)
-        if (mass.mass_kg > kFelt * vehicle.bogie_mass_kg)
+        if (mass.mass_kg > felt * vehicle.bogie_mass_kg)
             narrowest = std::min(narrowest, 2.0 * mass.damping_ratio * mass.frequency_hz);
     return narrowest;
 }
 
 TransferGrid transfer_grid(const pem::CaseParameters& parameters, const FineGrid& grid,
                            const ExpectationOptions& options) {
-    // of the grid, halved until a mode has three lines in its width
-    constexpr double kPerWidth = 3.0, kFinest = 1.0 / 16.0;
     const double width = narrowest_mode(parameters.vehicle);
+    const double finest = kExpectationSettings.finest_step * options.transfer_step_hz;
     double step = options.transfer_step_hz;
-    while (step > width / kPerWidth && step > kFinest * options.transfer_step_hz) step *= 0.5;
+    while (step > width / kExpectationSettings.lines_per_width && step > finest) step *= 0.5;
     const double from = std::max(options.transfer_step_hz, grid.frequency(0) - 2.0 * options.transfer_step_hz);
     return {from, step, static_cast<std::size_t>((grid.frequency(grid.count) - from) / step) + 4};
 }
@@ -105,7 +102,7 @@ void start_near(const vehicle::FrictionDamping& known, const pem::CaseParameters
 
 /// What the irregularity's forces are felt as at other frequencies.
 void add_modulation(const pem::CaseParameters& parameters, double speed, bool of_equal_seats, ExpectationCache& own) {
-    own.orders = pem::modulations(parameters, own.track, own.modulation, kLeastOrder);
+    own.orders = pem::modulations(parameters, own.track, own.modulation, kExpectationSettings.least_order);
     if (!of_equal_seats) std::erase_if(own.orders, [](const pem::Modulation& order) { return order.bays != 0; });
     std::vector<pem::Modulation> all = own.orders;
     for (const pem::Modulation& random : pem::random_modulations(own.track, own.modulation, speed))

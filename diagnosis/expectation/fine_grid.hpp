@@ -7,8 +7,6 @@
 
 namespace railpem::diagnosis {
 
-inline constexpr int kReachBins = 6;  ///< of the kernel; a Hann window leaves 5e-8 outside
-
 /// Uniform frequencies.
 struct FineGrid {
     double step_hz;

@@ -4,6 +4,7 @@
 #include <numbers>
 #include <string>
 
+#include "diagnosis/expectation/expectation_settings.hpp"
 #include "pem/coupling/sensor_chain.hpp"
 #include "pem/coupling/solution.hpp"
 
@@ -12,9 +13,6 @@ namespace railpem::diagnosis {
 namespace {
 
 using Complex = std::complex<double>;
-
-/// m: a sensor on the body counts as over the pivot or at the centre within this
-constexpr double kOverThePivot_m = 0.25;
 
 std::string response_of(const recordings::ChannelDescription& channel, const pem::CaseParameters& parameters) {
     using recordings::Location;
@@ -26,10 +24,11 @@ std::string response_of(const recordings::ChannelDescription& channel, const pem
         case Location::rail:
             return "rail_" + std::to_string(channel.index);
         case Location::body: {
+            const double within = kExpectationSettings.over_the_pivot_m;
             const double pivot = parameters.vehicle.bogie_distance_m / 2.0;
-            if (std::abs(channel.position_m) < kOverThePivot_m) return "body";
-            if (std::abs(channel.position_m - pivot) < kOverThePivot_m) return "body_front";
-            if (std::abs(channel.position_m + pivot) < kOverThePivot_m) return "body_rear";
+            if (std::abs(channel.position_m) < within) return "body";
+            if (std::abs(channel.position_m - pivot) < within) return "body_front";
+            if (std::abs(channel.position_m + pivot) < within) return "body_rear";
             return {};
         }
         case Location::none:

@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "diagnosis/expectation/delay_phases.hpp"
+#include "diagnosis/expectation/expectation_settings.hpp"
 #include "lanes/complex_lanes.hpp"
 #include "pem/coupling/excitation.hpp"
 #include "pem/coupling/sensor_chain.hpp"
@@ -16,8 +17,6 @@ namespace railpem::diagnosis {
 using Complex = std::complex<double>;
 
 namespace {
-
-constexpr double kSuspicious = 1.2;  ///< ratio over a cell that deserves a look
 
 /// y·yᴴ, column by column.
 void add_outer_product(const std::vector<Complex>& y, Complex* power) {
@@ -66,32 +65,31 @@ class Dot {
 // Paired bands may differ 16-fold at their edge; without this the expectation would jump whenever a change of speed
 // carries the edge over a line, by tens of nats, and no fit could pass.
 double power_over_cell(const pem::DelayedSpectrum& source, double frequency, double step, double centre) {
-    constexpr double kJump = 1.01;  ///< ratio over next to nothing that no smooth spectrum has
     double low = frequency - 0.5 * step, high = frequency + 0.5 * step;
     const double at_low = source.psd_m2_per_hz(low), at_high = source.psd_m2_per_hz(high);
     double below = at_low, above = at_high;
-    if (!differ(at_low, at_high, kSuspicious)) return centre;
-    for (int i = 0; i < 50; ++i) {
+    if (!differ(at_low, at_high, kExpectationSettings.suspicious_ratio)) return centre;
+    for (int i = 0; i < kExpectationSettings.edge_halvings; ++i) {
         const double middle = 0.5 * (low + high), own = source.psd_m2_per_hz(middle);
         const bool upper = std::abs(std::log((own + 1e-300) / (below + 1e-300))) <
                            std::abs(std::log((own + 1e-300) / (above + 1e-300)));
         (upper ? low : high) = middle;
         (upper ? below : above) = own;
     }
-    if (!differ(below, above, kJump)) return centre;
+    if (!differ(below, above, kExpectationSettings.edge_ratio)) return centre;
     const double share = (low - frequency) / step + 0.5;  // of the cell, below the edge
     return share * 0.5 * (at_low + below) + (1.0 - share) * 0.5 * (above + at_high);
 }
 
 // An edge within a cell stands out between the line and one of its neighbours, too, by as much.
 std::vector<double> powers_at_lines(const pem::DelayedSpectrum& source, const FineGrid& grid) {
-    constexpr double kLook = 1.1;  ///< ratio between neighbours, well below kSuspicious
+    const double look_from = kExpectationSettings.look_ratio;
     std::vector<double> at_line(grid.count), power(grid.count);
     for (std::size_t i = 0; i < grid.count; ++i) at_line[i] = source.psd_m2_per_hz(grid.frequency(i));
     for (std::size_t i = 0; i < grid.count; ++i) {
         const double own = at_line[i];
-        const bool look =
-            i == 0 || i + 1 == grid.count || differ(at_line[i - 1], own, kLook) || differ(own, at_line[i + 1], kLook);
+        const bool look = i == 0 || i + 1 == grid.count || differ(at_line[i - 1], own, look_from) ||
+                          differ(own, at_line[i + 1], look_from);
         power[i] = look ? power_over_cell(source, grid.frequency(i), grid.step_hz, own) : own;
     }
     return power;
@@ -182,7 +180,8 @@ void add_lines(const pem::CaseParameters& parameters, const pem::WheelTransfers&
         const double first = static_cast<double>(expected.first_bin) * bin;
         const double last = static_cast<double>(expected.first_bin + expected.bins()) * bin;
         const double deviation = parameters.running.speed_fluctuation * line.frequency_hz;
-        const double reach = kReachBins * bin + 3.0 * deviation;
+        const double reach =
+            kExpectationSettings.kernel_reach_bins * bin + kExpectationSettings.line_reach_deviations * deviation;
         if (line.frequency_hz < first - reach || line.frequency_hz > last + reach) continue;
         pem::interpolate(transfers, line.frequency_hz, at.data());
         Eigen::VectorXcd response = Eigen::VectorXcd::Zero(static_cast<long>(size));

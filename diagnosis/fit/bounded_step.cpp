@@ -40,9 +40,9 @@ double way_within(const Eigen::VectorXd& step, const Eigen::VectorXd& best, cons
 }  // namespace
 
 Eigen::VectorXd bounded_step(const Eigen::MatrixXd& curvature, const Eigen::VectorXd& gradient,
-                             const Eigen::VectorXd& low, const Eigen::VectorXd& high) {
+                             const Eigen::VectorXd& low, const Eigen::VectorXd& high, const FitSettings& settings) {
     const long size = gradient.size();
-    const long most_turns = 10 * size;  // a bound that rounding lets go and stops again would turn for ever
+    const long most_turns = settings.turns_per_unknown * size;
     Eigen::VectorXd step = Eigen::VectorXd::Zero(size);
     std::vector<bool> is_held(static_cast<std::size_t>(size));
     for (long u = 0; u < size; ++u)
@@ -72,8 +72,7 @@ Eigen::VectorXd bounded_step(const Eigen::MatrixXd& curvature, const Eigen::Vect
             const double gain = 0.5 * pull(u) * pull(u) / curvature(u, u);
             if (inwards && low(u) < high(u) && gain > most) most = gain, worst = u;
         }
-        constexpr double kWorthLettingGo = 1e-9;  // nats
-        if (most < kWorthLettingGo) break;
+        if (most < settings.worth_letting_go) break;
         is_held[static_cast<std::size_t>(worst)] = false;
     }
     return step;

@@ -3,6 +3,8 @@
 
 #include <Eigen/Core>
 
+#include "diagnosis/fit/fit_settings.hpp"
+
 namespace railpem::diagnosis {
 
 /// The step δ that maximises g·δ − ½δᵀAδ with low ≤ δ ≤ high. A positive definite, low ≤ 0 ≤ high. An active set
@@ -10,6 +12,7 @@ namespace railpem::diagnosis {
 /// the rest is sought anew beside it, and what a bound no longer holds is let go. Every turn gains, so that the step
 /// never promises less than none.
 Eigen::VectorXd bounded_step(const Eigen::MatrixXd& curvature, const Eigen::VectorXd& gradient,
-                             const Eigen::VectorXd& low, const Eigen::VectorXd& high);
+                             const Eigen::VectorXd& low, const Eigen::VectorXd& high,
+                             const FitSettings& settings = kFitSettings);
 
 }  // namespace railpem::diagnosis

@@ -15,52 +15,27 @@ namespace railpem::diagnosis {
 
 namespace {
 
-constexpr double kLeastDamping = 1e-9, kMostDamping = 1e6;
-constexpr double kLongestStep = 3.0;     ///< in deviations of the belief
-constexpr double kLongestLogStep = 1.0;  ///< of noise and floor: far below what shows, their slope promises anything
-/// of a number's logarithm: where a belief is as wide as a factor of two, three deviations led past the nearest top, to
-/// the bounds of numbers (Fit.WideBeliefsAreClimbedInShortSteps). By judgement: 0.35 and 0.5 did the same, 0.7 went too
-/// far on one of two kilometres of real track
-constexpr double kLongestNumberStep = 0.5;
-constexpr int kSettleIterations = 3;    ///< of noise and floor alone, after every step
-constexpr double kWorthSettling = 2.0;  ///< nats promised by a step, after which noise and floor are settled
-/// of the gain at which a climb ends: what an undamped step has to promise to be made
-constexpr double kWorthFinishing = 0.1;
-constexpr double kHope = 3.0;  ///< times its promise, a fit may still climb
-/// or times what its last step brought: a ridge is climbed in many equal steps
-constexpr double kPace = 12.0;
-constexpr double kSurprise = 1.5;  ///< times what a step promised
-/// of what a step by carried derivatives promised, that it has to bring for them to be carried on; and the other way
-/// round
-constexpr double kKept = 0.7;
-/// of a step, to which its direction is followed: with 5 most places that far along were worse than the step itself
-constexpr double kLongestShare = 3.0;
-/// of a step's gain, that another place along it has to promise beyond: looking costs one prediction, the derivatives
-/// of another step thirty
-constexpr double kWorthLooking = 0.2;
-constexpr int kMostCarried = 6;  ///< steps
-
 bool is_diagonal(const Unknown& unknown) {
     return unknown.kind == UnknownKind::noise || unknown.kind == UnknownKind::floor;
 }
 
 /// How far an unknown may move: to its bounds, and no further than its slope can be believed.
-std::pair<double, double> reach(const Unknown& unknown, double value) {
-    double longest = is_diagonal(unknown) ? kLongestLogStep : kLongestStep * unknown.deviation;
-    if (unknown.kind == UnknownKind::number) longest = std::min(longest, kLongestNumberStep);
+std::pair<double, double> reach(const Unknown& unknown, double value, const FitSettings& settings) {
+    double longest = is_diagonal(unknown) ? settings.longest_log_step : settings.longest_step * unknown.deviation;
+    if (unknown.kind == UnknownKind::number) longest = std::min(longest, settings.longest_number_step);
     return {std::max(unknown.low - value, -longest), std::min(unknown.high - value, longest)};
 }
 
 /// The damped step within the reach of every unknown. Cut off each by itself, unknowns that a step moves against each
 /// other would not belong together any more.
 Eigen::VectorXd damped_step(const Normal& normal, const State& state, const std::vector<Unknown>& unknowns,
-                            double damping) {
+                            double damping, const FitSettings& settings) {
     Eigen::MatrixXd matrix = normal.curvature;
     matrix.diagonal() *= 1.0 + damping;
     Eigen::VectorXd low(normal.gradient.size()), high(normal.gradient.size());
     for (std::size_t i = 0; i < unknowns.size(); ++i)
-        std::tie(low(static_cast<long>(i)), high(static_cast<long>(i))) = reach(unknowns[i], state.values[i]);
-    return bounded_step(matrix, normal.gradient, low, high);
+        std::tie(low(static_cast<long>(i)), high(static_cast<long>(i))) = reach(unknowns[i], state.values[i], settings);
+    return bounded_step(matrix, normal.gradient, low, high, settings);
 }
 
 std::vector<double> moved(const State& state, const Eigen::VectorXd& step) {
@@ -82,9 +57,9 @@ void take(const std::vector<Unknown>& unknowns, const LikelihoodContext& context
 /// all of them together: the common scale of vehicle and track, which only beliefs know, stayed where the climb had
 /// begun, a deviation off.
 void finish(const Trial& base, const std::vector<Unknown>& unknowns, const LikelihoodContext& context,
-            double least_gain, Normal& normal, State& state, Slopes& slopes) {
-    const Eigen::VectorXd step = damped_step(normal, state, unknowns, 0.0);
-    if (promise_of(normal, step) < kWorthFinishing * least_gain) return;
+            const ClimbOptions& options, Normal& normal, State& state, Slopes& slopes) {
+    const Eigen::VectorXd step = damped_step(normal, state, unknowns, 0.0, options.settings);
+    if (promise_of(normal, step) < options.settings.worth_finishing * options.least_gain) return;
     State next = state_at(base, unknowns, moved(state, step), context);
     if (!(next.log_posterior > state.log_posterior)) return;
     state = std::move(next);
@@ -137,19 +112,20 @@ Normal normal_equations(const State& state, const std::vector<Unknown>& unknowns
     return normal;
 }
 
-void settle(const std::vector<Unknown>& unknowns, const LikelihoodContext& context, State& state) {
+void settle(const std::vector<Unknown>& unknowns, const LikelihoodContext& context, State& state,
+            const FitSettings& settings) {
     Normal normal = normal_equations(state, unknowns, {}, context);
-    for (int i = 0; i < kSettleIterations; ++i) {
+    for (int i = 0; i < settings.settle_iterations; ++i) {
         for (std::size_t u = 0; u < unknowns.size(); ++u)
             if (!is_diagonal(unknowns[u])) normal.gradient(static_cast<long>(u)) = 0.0;
-        const Eigen::VectorXd step = damped_step(normal, state, unknowns, 0.0);
-        if (promise_of(normal, step) < kWorthSettling) return;
+        const Eigen::VectorXd step = damped_step(normal, state, unknowns, 0.0, settings);
+        if (promise_of(normal, step) < settings.worth_settling) return;
         Trial before = state.trial;
         std::vector<double> values = moved(state, step);
         std::swap(state.values, values);
         set_values(state.trial, unknowns, state.values);
         // The slope says how probable it is along with the next step, which all but the last have.
-        const bool last = i + 1 == kSettleIterations;
+        const bool last = i + 1 == settings.settle_iterations;
         if (!last) normal = normal_equations(state, unknowns, {}, context);
         const double own = last ? log_likelihood(state.trial, state.predictions, context) : normal.log_likelihood,
                      posterior = own + log_belief(unknowns, state.values);
@@ -174,6 +150,7 @@ class Climb {
           context_(context),
           held_(context),
           options_(options),
+          settings_(options.settings),
           damping_(damping),
           state_(state),
           slopes_(slopes),
@@ -209,7 +186,7 @@ class Climb {
             Normal normal = normal_equations(state_, unknowns_, slopes_.values, held_);
             const std::optional<End> end = step(normal);
             if (end == End::top && options_.sharp) {
-                finish(base_, unknowns_, held_, options_.least_gain, normal, state_, slopes_);
+                finish(base_, unknowns_, held_, options_, normal, state_, slopes_);
                 last = std::move(normal);
             }
             if (end) return end;
@@ -220,17 +197,20 @@ class Climb {
     /// One step up, as short as it has to be; none: slopes that were carried here are not to be trusted. How the climb
     /// ends, if it does.
     std::optional<End> step(const Normal& normal) {
-        for (; damping_ < kMostDamping; damping_ = std::max(10.0 * damping_, kFirstDamping)) {
-            const Eigen::VectorXd move = damped_step(normal, state_, unknowns_, damping_);
+        for (; damping_ < settings_.most_damping;
+             damping_ = std::max(settings_.damping_factor * damping_, settings_.first_damping)) {
+            const Eigen::VectorXd move = damped_step(normal, state_, unknowns_, damping_, settings_);
             const double promise = promise_of(normal, move);
             // Only where the last step brought no more than it promised: a climb that surprises has not said yet how
             // high it goes.
-            const double room = options_.sharp ? kHopeless : kHopelessBlunt;
-            if (gained_ < kSurprise * promised_ &&
-                state_.log_posterior + std::max(kHope * promise, kPace * gained_) + room < options_.rival)
+            const double room = options_.sharp ? settings_.dropped_behind : settings_.dropped_behind_tempered;
+            if (gained_ < settings_.surprise * promised_ &&
+                state_.log_posterior + std::max(settings_.hope * promise, settings_.pace * gained_) + room <
+                    options_.rival)
                 return End::hopeless;
             // Little is promised, or the last step brought next to nothing of it.
-            if (promise < options_.least_gain || (promise < kWorthSettling && gained_ < options_.least_gain)) {
+            if (promise < options_.least_gain ||
+                (promise < settings_.worth_settling && gained_ < options_.least_gain)) {
                 if (slopes_.carried == 0 || !options_.sharp) return End::top;
                 slopes_.trusted = false;  // a top is seen with slopes of its own
                 return {};
@@ -244,9 +224,9 @@ class Climb {
                 slopes_.trusted = false;
                 return {};
             }
-            if (promise < kWorthSettling && gain > -options_.least_gain) gained_ = 0.0;
+            if (promise < settings_.worth_settling && gain > -options_.least_gain) gained_ = 0.0;
         }
-        damping_ = kFirstDamping;
+        damping_ = settings_.first_damping;
         return End::tired;
     }
 
@@ -254,9 +234,9 @@ class Climb {
     /// misses much, the curvature of all steps is off by as much.
     State best_along(const Eigen::VectorXd& move, double slope, State next) const {
         const double gain = next.log_posterior - state_.log_posterior, bend = 2.0 * (slope - gain);
-        const double share = bend > slope / kLongestShare ? slope / bend : kLongestShare;
+        const double share = bend > slope / settings_.longest_share ? slope / bend : settings_.longest_share;
         const double hoped = slope * share - 0.5 * bend * share * share;
-        if (hoped < gain + std::max(kWorthLooking * gain, options_.least_gain)) return next;
+        if (hoped < gain + std::max(settings_.worth_looking * gain, options_.least_gain)) return next;
         State other = state_at(base_, unknowns_, moved(state_, stretched(move, share)), held_);
         return other.log_posterior > next.log_posterior ? std::move(other) : std::move(next);
     }
@@ -275,11 +255,12 @@ class Climb {
     void accept(State next, double promise, double gain) {
         gained_ = next.log_posterior - state_.log_posterior;
         promised_ = promise;
-        damping_ = std::max(damping_ / 10.0, kLeastDamping);
+        damping_ = std::max(damping_ / settings_.damping_factor, settings_.least_damping);
         carry(slopes_.values, state_.predictions.spectra, next.predictions.spectra, context_);
-        slopes_.trusted = gain > kKept * promise && kKept * gain < promise && ++slopes_.carried < kMostCarried;
+        slopes_.trusted = gain > settings_.worth_carrying * promise && settings_.worth_carrying * gain < promise &&
+                          ++slopes_.carried < settings_.most_carried;
         state_ = std::move(next);
-        if (promise > kWorthSettling) settle(unknowns_, held_, state_);
+        if (promise > settings_.worth_settling) settle(unknowns_, held_, state_, settings_);
     }
 
     const Trial& base_;
@@ -288,6 +269,7 @@ class Climb {
     LikelihoodContext held_;
     BinPowers powers_;
     const ClimbOptions& options_;
+    const FitSettings& settings_;
     double& damping_;
     State& state_;
     Slopes& slopes_;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "diagnosis/fit/derivatives.hpp"
+#include "diagnosis/fit/fit_settings.hpp"
 #include "diagnosis/likelihood/likelihood.hpp"
 
 namespace railpem::diagnosis {
@@ -33,7 +34,8 @@ void weigh(const std::vector<Unknown>& unknowns, const LikelihoodContext& contex
 
 /// Noise and floor alone: the predictions stay, so that a step costs next to nothing. As the numbers come nearer, what
 /// was taken for floor shrinks, and the next step of the numbers sees sharper.
-void settle(const std::vector<Unknown>& unknowns, const LikelihoodContext& context, State& state);
+void settle(const std::vector<Unknown>& unknowns, const LikelihoodContext& context, State& state,
+            const FitSettings& settings = kFitSettings);
 
 /// Second-order picture of the log-posterior.
 struct Normal {
@@ -57,10 +59,13 @@ struct Slopes {
 /// How a climb ended.
 enum class End { top, tired, hopeless };
 
+inline constexpr double kNoRival = -1e300;  ///< a log-posterior that nothing lies below
+
 struct ClimbOptions {
-    double least_gain = 0.1;  ///< nats: it ends when a step promises less
-    int most = 20;            ///< times that derivatives are taken
-    double rival = -1e300;    ///< log-posterior of the best rival
+    FitSettings settings = kFitSettings;
+    double least_gain = settings.least_gain;  ///< nats: it ends when a step promises less
+    int most = settings.iterations;           ///< times that derivatives are taken
+    double rival = kNoRival;                  ///< log-posterior of the best rival
     /// the top counts: it is seen with derivatives of its own, and what is left behind a rival is less
     bool sharp = true;
     std::function<void()> between;  ///< called between steps; may throw to stop
@@ -70,11 +75,5 @@ struct ClimbOptions {
 /// with `slopes` taken there, and `last` is the picture at the end where the climb came to a top.
 End climb(const Trial& base, const std::vector<Unknown>& unknowns, const LikelihoodContext& context,
           const ClimbOptions& options, double& damping, State& state, Slopes& slopes, int& iterations, Normal& last);
-
-inline constexpr double kFirstDamping = 1e-3;
-inline constexpr double kHopeless = 30.0;  ///< nats that a fit must stay behind, hope included, to be given up
-/// the same where the likelihood is blunt, lines are held and a rival's are not: a rail that shears stayed 54 behind a
-/// damper there, and came out 1100 ahead
-inline constexpr double kHopelessBlunt = 300.0;
 
 }  // namespace railpem::diagnosis

@@ -7,18 +7,11 @@
 
 #include "diagnosis/fit/climb.hpp"
 #include "diagnosis/fit/derivatives.hpp"
+#include "diagnosis/likelihood/likelihood_settings.hpp"
 
 namespace railpem::diagnosis {
 
 namespace {
-
-/// with the lines held: what a climb from afar gains by holding them longer is lost when it lets them go
-constexpr int kHeldIterations = 8;
-/// nats that a step has to promise where the likelihood is blunt: that top is not the one that counts
-constexpr double kBluntGain = 3.0;
-/// and of the nats that are left unexplained there: both effects of the paper, retuned without them, took ten steps of
-/// 50 nats of 113 000 with the lines held
-constexpr double kStagePatience = 1e-3;
 
 /// The unknowns of a blunt stage. Lines at which sleepers pass stay as they are: as long as a speed is off by the width
 /// of one, the nearest top has them drowned or smeared over the band, and no later step finds them again.
@@ -50,7 +43,7 @@ State with_width(const Trial& base, const std::vector<Unknown>& unknowns, const 
 /// The most probable of all widths of lines, tried a factor e apart and then in halved steps about the best: the
 /// derivative at lines narrower than a bin says nothing of wide ones, and the other way round.
 void choose_width(const Trial& base, const std::vector<Unknown>& unknowns, const LikelihoodContext& context,
-                  State& state) {
+                  const FitSettings& settings, State& state) {
     for (std::size_t u = 0; u < unknowns.size(); ++u) {
         if (unknowns[u].kind != UnknownKind::width) continue;
         const auto try_width = [&](double width) {
@@ -59,9 +52,9 @@ void choose_width(const Trial& base, const std::vector<Unknown>& unknowns, const
             if (next.predictions.caches.empty()) next.predictions.caches = std::move(state.predictions.caches);
             state = std::move(next);
         };
-        for (double width = unknowns[u].low; width < unknowns[u].high; width += 1.0) try_width(width);
+        for (double width = unknowns[u].low; width < unknowns[u].high; width += settings.width_step) try_width(width);
         try_width(unknowns[u].high);
-        for (const double step : {0.5, 0.25}) {
+        for (const double step : settings.finer_width_steps) {
             const double best = state.values[u];
             try_width(best - step);
             try_width(best + step);
@@ -142,22 +135,23 @@ class Fitting {
                 derivatives_near(*options_.near, state_.trial, unknowns_, state_.values, state_.predictions, context_),
                 1, true};
         End end = options_.from_far ? from_far() : End::top;
-        settle(unknowns_, context_, state_);
+        settle(unknowns_, context_, state_, options_.settings);
         if (options_.from_far && end != End::hopeless) choose_width();
         Normal normal;
-        const double rival = options_.rival ? options_.rival->log_posterior - options_.room : kNobody;
+        const double rival = options_.rival ? options_.rival->log_posterior - options_.room : kNoRival;
         if (end != End::hopeless)
-            end = climb(
-                base_, unknowns_, context_,
-                {.least_gain = least_gain(), .most = options_.iterations, .rival = rival, .between = options_.between},
-                damping_, state_, slopes_, iterations_, normal);
+            end = climb(base_, unknowns_, context_,
+                        {.settings = options_.settings,
+                         .least_gain = least_gain(),
+                         .most = options_.iterations,
+                         .rival = rival,
+                         .between = options_.between},
+                        damping_, state_, slopes_, iterations_, normal);
         if (end != End::top) normal = picture(end);
         return written(normal, end);
     }
 
   private:
-    static constexpr double kNobody = -1e300;
-
     /// Blunted by 10 % there is one broad maximum; each stage brings the next within reach. The state stands where the
     /// sharp likelihood begins.
     End from_far() {
@@ -165,22 +159,26 @@ class Fitting {
         LikelihoodContext stage = context_;
         std::vector<double> floors = options_.stages;
         floors.push_back(context_.least_floor);
+        const FitSettings& settings = options_.settings;
         End end = End::top;
         for (const double floor : floors) {
             stage.least_floor = floor;
-            stage.every = floor > context_.least_floor ? std::max(kBluntEvery, context_.every) : context_.every;
+            stage.every = floor > context_.least_floor ? std::max(kLikelihoodSettings.tempered_every, context_.every)
+                                                       : context_.every;
             weigh(held, stage, state_);
-            settle(held, stage, state_);
-            ClimbOptions blunt{
-                .least_gain = std::max({options_.least_gain, kBluntGain, kStagePatience * unexplained()}),
-                .sharp = false,
-                .between = options_.between};
-            blunt.rival = options_.rival ? blunt_posterior(*options_.rival, stage) - options_.room : kNobody;
+            settle(held, stage, state_, options_.settings);
+            ClimbOptions blunt{.settings = settings,
+                               .least_gain = std::max(
+                                   {options_.least_gain, settings.rung_gain, settings.rung_patience * unexplained()}),
+                               .sharp = false,
+                               .between = options_.between};
+            blunt.rival = options_.rival ? blunt_posterior(*options_.rival, stage) - options_.room : kNoRival;
             blunt.most = floor > context_.least_floor ? options_.stage_iterations
-                                                      : std::min(options_.iterations, kHeldIterations);
+                                                      : std::min(options_.iterations, settings.held_iterations);
             Normal unused;
             end = climb(base_, held, stage, blunt, damping_, state_, slopes_, iterations_, unused);
-            if (end == End::top && state_.log_posterior + kHopelessBlunt < blunt.rival) end = End::hopeless;
+            if (end == End::top && state_.log_posterior + settings.dropped_behind_tempered < blunt.rival)
+                end = End::hopeless;
             if (end == End::hopeless) break;
         }
         weigh(unknowns_, context_, state_);
@@ -199,13 +197,13 @@ class Fitting {
     }
 
     double least_gain() const {
-        return std::max(
-            {options_.least_gain, options_.patience * unexplained(), context_.least_floor > 0.0 ? kBluntGain : 0.0});
+        return std::max({options_.least_gain, options_.patience * unexplained(),
+                         context_.least_floor > 0.0 ? options_.settings.rung_gain : 0.0});
     }
 
     void choose_width() {
         const std::vector<ExpectedSpectra> before = state_.predictions.spectra;
-        diagnosis::choose_width(base_, unknowns_, context_, state_);
+        diagnosis::choose_width(base_, unknowns_, context_, options_.settings, state_);
         carry(slopes_.values, before, state_.predictions.spectra, context_);
         slopes_.carried = std::max(slopes_.carried, 1);
     }
@@ -260,7 +258,7 @@ class Fitting {
     const FitOptions& options_;
     State state_;
     Slopes slopes_;
-    double damping_ = kFirstDamping;
+    double damping_ = options_.settings.first_damping;
     int iterations_ = 0;
 };
 
@@ -272,11 +270,11 @@ Approach approach(const Trial& base, const std::vector<Unknown>& unknowns, std::
     if (!state.possible()) return {-std::numeric_limits<double>::infinity(), std::move(state.values)};
     Slopes slopes{derivatives_near(near, state.trial, unknowns, state.values, state.predictions, context), 1, true};
     settle(unknowns, context, state);
-    double damping = kFirstDamping;
+    double damping = kFitSettings.first_damping;
     int iterations = 0;
     Normal unused;
-    climb(base, unknowns, context, {.least_gain = kBluntGain, .most = 0, .rival = rival, .sharp = false}, damping,
-          state, slopes, iterations, unused);
+    climb(base, unknowns, context, {.least_gain = kFitSettings.rung_gain, .most = 0, .rival = rival, .sharp = false},
+          damping, state, slopes, iterations, unused);
     return {state.log_posterior, std::move(state.values)};
 }
 

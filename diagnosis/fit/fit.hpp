@@ -8,24 +8,21 @@
 #include <vector>
 
 #include "diagnosis/fit/derivatives.hpp"
+#include "diagnosis/fit/fit_settings.hpp"
 #include "diagnosis/likelihood/likelihood.hpp"
 
 namespace railpem::diagnosis {
 
-/// FitOptions::patience of the retuned case: where it leaves much, thousands of nats tell it from the rest, and what
-/// goes on from it begins with a blunt likelihood.
-inline constexpr double kRetuningPatience = 1e-3;
-
 /// A fit's way and end.
 struct FitOptions {
-    int iterations = 20;      ///< at the last stage: times that derivatives are taken
-    double least_gain = 0.1;  ///< nats: the fit ends when a step promises less
-    /// of the nats that a case leaves unexplained, which a step has to promise: what gains less lacks physics, and
-    /// creeps along ridges
-    double patience = 1e-4;
+    FitSettings settings = kFitSettings;
+    int iterations = settings.iterations;     ///< FitSettings::iterations
+    double least_gain = settings.least_gain;  ///< FitSettings::least_gain
+    double patience = settings.patience;      ///< FitSettings::patience
     bool from_far = true;  ///< begin with a blunt likelihood (large floor) that is sharpened in stages
-    std::vector<double> stages = {0.1, 0.02, 0.004};  ///< floors of the blunt likelihoods, when it begins with them
-    int stage_iterations = 2;
+    /// floors of the blunt likelihoods, when it begins with them
+    std::vector<double> stages = {settings.ladder.begin(), settings.ladder.end()};
+    int stage_iterations = settings.rung_iterations;
     /// the best rival: a fit that cannot come near is given up, also where the likelihood is still blunt
     const struct Fit* rival = nullptr;
     double room = 0.0;                        ///< nats that the fit may stay behind the rival

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "diagnosis/fit/fit_settings.hpp"
 #include "diagnosis/observations/channel_scales.hpp"
 #include "parameters/parameter_error.hpp"
 #include "pem/coupling/solution.hpp"
@@ -15,14 +16,11 @@ namespace railpem::diagnosis {
 
 namespace {
 
-constexpr double kSamplingRate_hz = 1000.0;
-constexpr double kSensorNoise_m_per_s2 = 0.02;  ///< rms up to half the sampling rate
-
 /// Averages of a part of `seconds`.
 MeasuredSpectra empty_part(double seconds, const ObservationOptions& options, std::size_t bins) {
     const recordings::SegmentOptions segments{.window_s = options.window_s};
-    const auto samples = static_cast<std::size_t>(seconds * kSamplingRate_hz);
-    const recordings::Segmentation own = recordings::segmentation_of(segments, kSamplingRate_hz, samples);
+    const auto samples = static_cast<std::size_t>(seconds * kFitSettings.drawn_rate_hz);
+    const recordings::Segmentation own = recordings::segmentation_of(segments, kFitSettings.drawn_rate_hz, samples);
     if (own.count == 0)
         throw parameters::ParameterError("window_s", "a part of the record is shorter than one window",
                                          "a shorter window or a longer record");
@@ -88,17 +86,18 @@ Observation observation_shape(double speed_m_per_s, double payload_kg, double se
                               const ObservationOptions& options) {
     Observation shape{.name = "synthesised",
                       .speed_m_per_s = speed_m_per_s,
-                      .speed_tolerance = kDefaultSpeedTolerance,
+                      .speed_tolerance = kObservationSettings.speed_tolerance,
                       .payload_kg = payload_kg};
     for (const std::string& response : responses) {
         shape.channels.push_back({shape.channels.size(), pem::response_index(response)});
         shape.channel_names.push_back(response);
     }
     shape.unknown_scale.assign(responses.size(), false);
-    shape.noise_psd.assign(responses.size(), kSensorNoise_m_per_s2 * kSensorNoise_m_per_s2 / (0.5 * kSamplingRate_hz));
+    const double noise = kFitSettings.drawn_noise_rms_m_per_s2, rate = kFitSettings.drawn_rate_hz;
+    shape.noise_psd.assign(responses.size(), noise * noise / (0.5 * rate));
     const recordings::SegmentOptions segments{.window_s = options.window_s};
-    const recordings::Segmentation cut = recordings::segmentation_of(segments, kSamplingRate_hz, 0);
-    set_band(shape, {cut.window, cut.length, kSamplingRate_hz}, believed, options);
+    const recordings::Segmentation cut = recordings::segmentation_of(segments, rate, 0);
+    set_band(shape, {cut.window, cut.length, rate}, believed, options);
     const std::size_t bins = band_bins(shape);
     shape.fitted = empty_part(seconds * (1.0 - options.held_out_share), options, bins);
     shape.held_out = empty_part(seconds * options.held_out_share, options, bins);

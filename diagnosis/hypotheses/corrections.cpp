@@ -23,7 +23,6 @@ constexpr int kNodesOfAMass = 13;
 constexpr double kDeviation = 0.3;       ///< of a correction: what is left out moves a place by tens of percent
 constexpr double kForceDeviation = 0.1;  ///< of the power of forces of its own, in multiples of the reference
 constexpr std::size_t kForcePart = 2;    ///< behind real and imaginary part
-constexpr double kStep = 1e-7;           ///< as of the numbers: what a correction shares with one has the same error
 
 /// The correction of a place of the structure, null for the others; of a constant case a constant one.
 template <class Case>
@@ -100,7 +99,7 @@ Unknown curve_unknown(const std::string& where, Element element, const std::vect
         .deviation = kDeviation,
         .low = imaginary || nothing == 0.0 ? -5.0 : -0.95,
         .high = 5.0,
-        .step = kStep,
+        .step = kBeliefs.number_step,
         .element = element,
         .set = [curve_in = std::move(curve_in), nodes, node, imaginary, nothing](Trial& trial, double x) {
             lanes::FactorCurve& curve = curve_in(trial.numbers);
@@ -139,7 +138,7 @@ Unknown force_unknown(const CorrectionPlace& place, const std::vector<double>& n
             .deviation = kForceDeviation,
             .low = 0.0,
             .high = 5.0,
-            .step = kStep,
+            .step = kBeliefs.number_step,
             .element = place.element,
             .set = [element = place.element, nodes, node](Trial& trial, double x) {
                 vehicle::ForceSpectrum& own =
@@ -160,7 +159,7 @@ Unknown wheels_own_unknown(const std::vector<double>& nodes, std::size_t node) {
             .deviation = kForceDeviation,
             .low = 0.0,
             .high = 5.0,
-            .step = kStep,
+            .step = kBeliefs.number_step,
             .element = Element::irregularity,
             .set = [nodes, node](Trial& trial, double x) {
                 pem::WheelsOwn& own = trial.numbers.wheels_own;
@@ -178,7 +177,7 @@ Unknown spectrum_unknown(const std::vector<double>& nodes, std::size_t node) {
             .deviation = 2.0 * kDeviation,
             .low = -4.0,
             .high = 4.0,
-            .step = kStep,
+            .step = kBeliefs.number_step,
             .element = Element::irregularity,
             .set = [nodes, node](Trial& trial, double x) {
                 auto& spline = trial.numbers.irregularity.frequency_correction;

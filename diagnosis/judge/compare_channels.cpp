@@ -15,9 +15,8 @@ namespace railpem::diagnosis {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double kMostNoise = 0.5;    ///< a band that is noise to more than this says nothing
-constexpr double kSoundFloor = 5e-4;  ///< what two sound simulators differ by: the floor of the test
-constexpr double kReported = 0.01;    ///< false-alarm probability of what is reported
+constexpr double kMostNoise = 0.5;  ///< a band that is noise to more than this says nothing
+constexpr double kReported = 0.01;  ///< false-alarm probability of what is reported
 constexpr std::size_t kMostReported = 12;
 
 std::vector<double> channel_psd(const Trial& trial, const Predictions& predictions, const Observation& observation,
@@ -152,7 +151,7 @@ double rms_db(const std::vector<ChannelComparison>& channels, Stage stage) {
 std::vector<Mismatch> mismatches(const Trial& trial, const Predictions& predictions,
                                  const std::vector<Observation>& observations, Part part) {
     Trial sound = trial;
-    for (double& floor : sound.floor) floor = std::min(floor, kSoundFloor);
+    for (double& floor : sound.floor) floor = std::min(floor, kBeliefs.sound_floor);
     std::vector<Mismatch> found;
     double tests = 0.0;
     for (std::size_t o = 0; o < observations.size(); ++o) {

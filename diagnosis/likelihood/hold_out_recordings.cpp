@@ -11,8 +11,6 @@ namespace railpem::diagnosis {
 
 namespace {
 
-constexpr double kHeldOutShare = 0.25;
-
 /// As many values of a cell as the fitted or the held-out recordings have share its discrepancy.
 void share(std::vector<Observation>& observations, const std::vector<std::size_t>& group) {
     std::map<std::pair<bool, long>, double> cells;
@@ -34,8 +32,9 @@ void hold_out_recordings(std::vector<Observation>& observations) {
             groups[{observations[o].scalar->kind, observations[o].scalar->place}].push_back(o);
     for (const auto& [kind, group] : groups) {
         if (group.size() < 2) continue;
-        const auto held = std::max<std::size_t>(
-            1, static_cast<std::size_t>(std::lround(kHeldOutShare * static_cast<double>(group.size()))));
+        const auto held =
+            std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(kObservationSettings.held_out_share *
+                                                                          static_cast<double>(group.size()))));
         for (std::size_t i = 0; i < group.size(); ++i) {
             ScalarData& data = *observations[group[i]].scalar;
             data.leader = group.front();

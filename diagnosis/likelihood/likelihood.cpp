@@ -6,6 +6,7 @@
 #include <exception>
 #include <limits>
 
+#include "diagnosis/likelihood/likelihood_settings.hpp"
 #include "diagnosis/likelihood/scalar_likelihood.hpp"
 #include "diagnosis/likelihood/whitened_bin.hpp"
 #include "diagnosis/likelihood/whitened_columns.hpp"
@@ -19,8 +20,6 @@ namespace railpem::diagnosis {
 namespace {
 
 using Complex = std::complex<double>;
-constexpr std::size_t kBlockBins = 8;   ///< 2 Hz of segments of 4 s
-constexpr std::size_t kChunkBins = 64;  ///< bins summed at a time, so that sums do not depend on the threads
 
 int thread_count(const LikelihoodContext& context) {
     return pem::thread_count(context.threads);
@@ -40,7 +39,8 @@ struct Chunk {
     std::size_t observation, first, count;
 };
 
-std::vector<Chunk> chunks_of(const std::vector<Observation>& observations, std::size_t bins = kChunkBins) {
+std::vector<Chunk> chunks_of(const std::vector<Observation>& observations,
+                             std::size_t bins = kLikelihoodSettings.chunk_bins) {
     std::vector<Chunk> chunks;
     for (std::size_t o = 0; o < observations.size(); ++o)
         for (std::size_t first = 0; first < observations[o].bins(); first += bins)
@@ -298,7 +298,7 @@ std::vector<GradientBlock> gradient_blocks(const Trial& trial, const std::vector
                                            const Predictions& predictions,
                                            const std::vector<PredictionDerivative>& derivatives,
                                            const LikelihoodContext& context) {
-    const std::vector<Chunk> chunks = chunks_of(*context.observations, kBlockBins);
+    const std::vector<Chunk> chunks = chunks_of(*context.observations, kLikelihoodSettings.block_bins());
     const std::vector<LikelihoodSlope> parts = chunk_slopes(chunks, trial, unknowns, predictions, derivatives, context);
     std::vector<GradientBlock> blocks;
     for (std::size_t i = 0; i < chunks.size(); ++i)

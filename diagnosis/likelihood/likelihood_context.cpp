@@ -1,10 +1,12 @@
 #include "diagnosis/likelihood/likelihood_context.hpp"
 
+#include "diagnosis/likelihood/likelihood_settings.hpp"
+
 namespace railpem::diagnosis {
 
 LikelihoodContext blunted(const LikelihoodContext& context, double floor) {
     LikelihoodContext blunt = context;
-    if (context.coarse) blunt.observations = context.coarse, blunt.every = kBluntEvery;
+    if (context.coarse) blunt.observations = context.coarse, blunt.every = kLikelihoodSettings.tempered_every;
     blunt.least_floor = floor;
     return blunt;
 }

@@ -67,10 +67,6 @@ struct LikelihoodContext {
     Effort* effort = nullptr;           ///< counts what is computed; none: nobody asks
 };
 
-/// Of the bins, where a likelihood is blunt: the amplitudes of neighbours of Hann windows, (−¼, ½, −¼) of plain ones,
-/// are correlated by 2/3.
-inline constexpr std::size_t kBluntEvery = 2;
-
 /// The likelihood on every second bin of the coarse observations, blunted by a relative floor.
 LikelihoodContext blunted(const LikelihoodContext& context, double floor);
 

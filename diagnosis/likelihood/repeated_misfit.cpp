@@ -4,11 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "diagnosis/likelihood/likelihood_settings.hpp"
+
 namespace railpem::diagnosis {
 
 namespace {
 
-constexpr double kBlock_hz = 2.0;  ///< neighbouring bins share half of their window's band
 constexpr double kNormalPerMad = 1.4826;
 
 /// L⁻¹HL⁻ᴴ.
@@ -60,7 +61,7 @@ RepeatedMisfit repeated_misfit(const Trial& trial, const Predictions& prediction
         const double averages = fitted.averages + held_out.averages;
         const Eigen::VectorXd noise = Eigen::Map<const Eigen::VectorXd>(trial.noise_psd[o].data(), size);
         std::vector<double> blocks(1, 0.0);
-        double block = std::floor(observation.frequency(0) / kBlock_hz), own = 0.0, chance = 0.0;
+        double block = std::floor(observation.frequency(0) / kLikelihoodSettings.block_hz), own = 0.0, chance = 0.0;
         for (std::size_t bin = 0; bin < observation.bins(); ++bin) {
             const auto matrix = [&](const MeasuredSpectra& part) -> Eigen::MatrixXcd {
                 return Eigen::Map<const Eigen::MatrixXcd>(&part.values[bin * static_cast<std::size_t>(size * size)],
@@ -69,7 +70,7 @@ RepeatedMisfit repeated_misfit(const Trial& trial, const Predictions& prediction
             const double nats = 0.5 * averages *
                                 repeated(complete_prediction(trial, observation, o, predictions[o], bin), noise,
                                          matrix(fitted), matrix(held_out));
-            if (const double at = std::floor(observation.frequency(bin) / kBlock_hz); at != block)
+            if (const double at = std::floor(observation.frequency(bin) / kLikelihoodSettings.block_hz); at != block)
                 block = at, blocks.push_back(0.0);
             blocks.back() += nats;
             own += nats;

@@ -57,8 +57,7 @@ void add_observation(const Trial& trial, const std::vector<Unknown>& unknowns, s
 }  // namespace
 
 long discrepancy_cell(double frequency_hz) {
-    constexpr double kCellsPerOctave = 12.0;
-    return std::lround(kCellsPerOctave * std::log2(frequency_hz));
+    return std::lround(kObservationSettings.discrepancy_cells * std::log2(frequency_hz));
 }
 
 bool belongs(const ScalarValue& value, Part part) {

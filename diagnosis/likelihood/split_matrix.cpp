@@ -8,7 +8,6 @@ namespace railpem::diagnosis {
 
 namespace {
 
-constexpr std::size_t kVector = 4;  ///< rows
 /// of numbers that are multiplied before their logarithm is taken: two of them stay far from underflow
 constexpr double kLeastProduct = 1e-100;
 

@@ -14,9 +14,11 @@ struct SplitMatrix {
     alignas(64) double im[kMostChannels][kMostChannels];
 };
 
+inline constexpr std::size_t kVector = 4;  ///< rows that a kernel takes at once
+
 /// Rows that a kernel works on: `size` rounded up to full vectors.
 inline std::size_t padded_rows(std::size_t size) {
-    return (size + 3) / 4 * 4;
+    return (size + kVector - 1) / kVector * kVector;
 }
 
 void set_zero(SplitMatrix& matrix, std::size_t size);

@@ -5,17 +5,11 @@
 #include <limits>
 #include <utility>
 
+#include "diagnosis/likelihood/likelihood_settings.hpp"
+
 namespace railpem::diagnosis {
 
 namespace {
-
-/// of the secant method for s; the first by Fisher's information, which far from the top is several times the curvature
-/// or a part of it
-constexpr int kSteps = 8;
-constexpr double kShorter = 4.0;  ///< times
-constexpr double kLongestNewtonStep = 1.0;
-constexpr double kNoStep = 1e-3;  ///< a step that is not worth making: ½·n·r·s² is below a thousandth of a nat
-constexpr double kLeastExcess = 1e-6;
 
 /// The parts of S(s), and what was measured.
 struct Parts {
@@ -121,6 +115,8 @@ std::array<double, kFloorGroups> floors_at(const Trial& trial, double frequency_
 void whiten(const Trial& trial, const Observation& observation, std::size_t index, const ExpectedSpectra& prediction,
             const MeasuredSpectra& data, std::size_t bin, double least_floor, const BinPower* known,
             WhitenedBin& result) {
+    // The first step goes by Fisher's information: far from the top several times the curvature, or a part of it.
+    const double longest = kLikelihoodSettings.longest_power_step, shortening = kLikelihoodSettings.power_shortening;
     const Parts parts = parts_of(trial, observation, index, prediction, data, bin, least_floor);
     double s = known ? known->log_amplification : 0.0;
     result.projection = result.bend = 0.0;
@@ -128,21 +124,21 @@ void whiten(const Trial& trial, const Observation& observation, std::size_t inde
     if (!std::isfinite(result.log_likelihood)) return;
     double processes = trace_of_product(result.scale, result.scale, parts.size);
     result.processes = known ? known->processes : processes;
-    if (result.processes < 1.0 + kLeastExcess) return;
+    if (result.processes < 1.0 + kLikelihoodSettings.least_excess) return;
     const double stiffness = result.processes / (result.processes - 1.0);  // 1/(v·n)
     result.log_likelihood -= 0.5 * stiffness * s * s;
     double slope = trace_of_product(result.scale, result.residual, parts.size) - stiffness * s,
            bend = processes + stiffness;
-    if (known && known->bend > 0.0) bend = std::clamp(known->bend, bend / kShorter, kShorter * bend);
+    if (known && known->bend > 0.0) bend = std::clamp(known->bend, bend / shortening, shortening * bend);
     WhitenedBin other;  // of twelve kilobytes: the two take turns
     WhitenedBin *best = &result, *next = &other;
-    for (int i = 0; i < kSteps; ++i) {
-        const double step = std::clamp(slope / bend, -kLongestNewtonStep, kLongestNewtonStep);
-        if (std::abs(step) < kNoStep) break;
+    for (int i = 0; i < kLikelihoodSettings.power_steps; ++i) {
+        const double step = std::clamp(slope / bend, -longest, longest);
+        if (std::abs(step) < kLikelihoodSettings.least_power_step) break;
         whiten_at(parts, s + step, *next);
         next->log_likelihood -= 0.5 * stiffness * (s + step) * (s + step);
         if (!(next->log_likelihood > best->log_likelihood)) {
-            bend *= kShorter;
+            bend *= shortening;
             continue;
         }
         const double there = trace_of_product(next->scale, next->residual, parts.size) - stiffness * (s + step),
@@ -152,7 +148,7 @@ void whiten(const Trial& trial, const Observation& observation, std::size_t inde
         next->processes = best->processes;
         std::swap(best, next);
         processes = trace_of_product(best->scale, best->scale, parts.size);
-        bend = std::clamp(secant, (processes + stiffness) / kShorter, kShorter * (processes + stiffness));
+        bend = std::clamp(secant, (processes + stiffness) / shortening, shortening * (processes + stiffness));
     }
     best->bend = bend;
     best->projection = 1.0 / (processes + stiffness);

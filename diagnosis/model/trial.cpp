@@ -16,30 +16,6 @@ namespace railpem::diagnosis {
 
 namespace {
 
-/// of the irregularity's nuisance: wavelengths that a structure cannot imitate
-constexpr double kNodesPerOctave = 2.0;
-/// of a node, in log power: 1.5 dB, the scatter between sections of a line
-constexpr double kIrregularityDeviation = 0.35;
-/// of all wavelengths together: 1 dB. At 1.5 dB a track 8 dB smoother than believed was consistent
-constexpr double kLevelDeviation = 0.23;
-constexpr double kMeasuredLevelDeviation = 1e-3;  ///< where the nodes are measured they carry the level
-constexpr double kFluctuationDeviation = 1.5;     ///< of its logarithm: nobody states how steady a speed was
-constexpr double kLeastFluctuation = 1e-5, kMostFluctuation = 0.05;  ///< what a case may state
-constexpr double kPassingDeviation = 0.10;  ///< of the amplitude of sleeper passing computed from the case
-constexpr double kNoiseDeviation = 3.0;     ///< in log power: known to a factor of 20
-constexpr double kFloorMean = -7.6;         ///< log of 5e-4: what two sound simulators differ by
-/// a factor of twelve: bands that no trial can explain must be able to lose their weight
-constexpr double kFloorDeviation = 2.5;
-/// relative, of a level: what a model of this class is good for without phases
-constexpr double kScalarDiscrepancy = 0.05;
-constexpr double kScalarDiscrepancyDeviation = 0.5;
-constexpr double kScaleDeviation = 10.0;  ///< of the log power of a channel without a scale: as good as anything
-
-/// The slopes of all numbers nearly cancel along their common scale. A difference over 1e-6 is off by 1e-8 of the
-/// information (bogie mass, primary damping), which moved the scale by a deviation; over 1e-8 rounding does a third of
-/// that.
-constexpr double kNumberStep = 1e-7;
-
 std::vector<double> spline_wavelengths(const std::vector<Observation>& observations) {
     double shortest = 1e300, longest = 0.0;
     for (const Observation& observation : observations) {
@@ -48,7 +24,7 @@ std::vector<double> spline_wavelengths(const std::vector<Observation>& observati
         longest = std::max(longest, observation.speed_m_per_s / observation.expectation.low_hz);
     }
     if (longest == 0.0) return {};
-    const int count = 1 + static_cast<int>(std::ceil(kNodesPerOctave * std::log2(longest / shortest)));
+    const int count = 1 + static_cast<int>(std::ceil(kBeliefs.nodes_per_octave * std::log2(longest / shortest)));
     std::vector<double> nodes;
     for (int i = 0; i < count; ++i)
         nodes.push_back(shortest * std::pow(longest / shortest, static_cast<double>(i) / (count - 1)));
@@ -68,10 +44,10 @@ void add_irregularity(const BelievedCase& believed, const std::vector<Observatio
         unknowns.push_back({.kind = UnknownKind::irregularity,
                             .name = fmt::format("irregularity at {:.2g} m", nodes[i]),
                             .mean = beliefs[i].measured ? beliefs[i].mean : 0.0,
-                            .deviation = beliefs[i].measured ? beliefs[i].deviation : kIrregularityDeviation,
-                            .low = -4.0,
-                            .high = 4.0,
-                            .step = 1e-5,
+                            .deviation = beliefs[i].measured ? beliefs[i].deviation : kBeliefs.irregularity_deviation,
+                            .low = -kBeliefs.most_irregularity,
+                            .high = kBeliefs.most_irregularity,
+                            .step = kBeliefs.smooth_step,
                             .index = static_cast<int>(i),
                             .set = [nodes, i](Trial& trial, double x) {
                                 auto& spline = trial.numbers.irregularity.wave_correction;
@@ -83,10 +59,10 @@ void add_irregularity(const BelievedCase& believed, const std::vector<Observatio
                             }});
     unknowns.push_back({.kind = UnknownKind::irregularity,
                         .name = "irregularity level",
-                        .deviation = any_measured ? kMeasuredLevelDeviation : kLevelDeviation,
-                        .low = -4.0,
-                        .high = 4.0,
-                        .step = 1e-5,
+                        .deviation = any_measured ? kBeliefs.measured_level_deviation : kBeliefs.level_deviation,
+                        .low = -kBeliefs.most_irregularity,
+                        .high = kBeliefs.most_irregularity,
+                        .step = kBeliefs.smooth_step,
                         .index = -1,
                         .set = [level = believed.numbers.irregularity.level_db](Trial& trial, double x) {
                             trial.numbers.irregularity.level_db = level + x * 10.0 / std::log(10.0);
@@ -106,9 +82,9 @@ void add_scales(const Observation& observation, std::size_t o, std::vector<Unkno
                 {.kind = UnknownKind::gain,
                  .name = fmt::format("scale of {} in {}", observation.channel_names[c], observation.name),
                  .mean = guessed_scale(observation, c),
-                 .deviation = kScaleDeviation,
-                 .low = guessed_scale(observation, c) - 40.0,
-                 .high = guessed_scale(observation, c) + 40.0,
+                 .deviation = kBeliefs.scale_deviation,
+                 .low = guessed_scale(observation, c) - kBeliefs.most_scale,
+                 .high = guessed_scale(observation, c) + kBeliefs.most_scale,
                  .observation = static_cast<int>(o),
                  .index = static_cast<int>(c),
                  .set = [o, c](Trial& trial, double x) { trial.log_gain[o][c] = x; }});
@@ -122,10 +98,10 @@ void add_discrepancy(const std::vector<Observation>& observations, std::size_t o
     if (led.empty()) return;
     unknowns.push_back({.kind = UnknownKind::discrepancy,
                         .name = "discrepancy of " + observations[o].name,
-                        .mean = std::log(kScalarDiscrepancy),
-                        .deviation = kScalarDiscrepancyDeviation,
-                        .low = std::log(1e-4),
-                        .high = std::log(10.0),
+                        .mean = std::log(kBeliefs.scalar_discrepancy),
+                        .deviation = kBeliefs.scalar_discrepancy_deviation,
+                        .low = std::log(kBeliefs.least_discrepancy),
+                        .high = std::log(kBeliefs.most_discrepancy),
                         .observation = static_cast<int>(o),
                         .set = [led](Trial& trial, double x) {
                             for (const std::size_t own : led) trial.discrepancy[own] = std::exp(x);
@@ -142,13 +118,13 @@ void add_fluctuation(const BelievedCase& believed, const std::vector<Observation
         return;
     unknowns.push_back({.kind = UnknownKind::width,
                         .name = "speed fluctuation",
-                        .deviation = kFluctuationDeviation,
-                        .low = std::log(kLeastFluctuation / own),
-                        .high = std::log(kMostFluctuation / own),
-                        .step = 1e-5,
+                        .deviation = kBeliefs.fluctuation_deviation,
+                        .low = std::log(kBeliefs.least_fluctuation / own),
+                        .high = std::log(kBeliefs.most_fluctuation / own),
+                        .step = kBeliefs.smooth_step,
                         .set = [own](Trial& trial, double x) {
                             trial.numbers.running.speed_fluctuation =
-                                std::clamp(own * std::exp(x), kLeastFluctuation, kMostFluctuation);
+                                std::clamp(own * std::exp(x), kBeliefs.least_fluctuation, kBeliefs.most_fluctuation);
                         }});
 }
 
@@ -163,9 +139,9 @@ void add_recording(const std::vector<Observation>& observations, std::vector<Unk
             {.kind = UnknownKind::speed,
              .name = "speed of " + observation.name,
              .deviation = observation.speed_tolerance,
-             .low = -0.1,
-             .high = 0.1,
-             .step = 1e-8,
+             .low = -kBeliefs.most_speed,
+             .high = kBeliefs.most_speed,
+             .step = kBeliefs.speed_step,
              .observation = static_cast<int>(o),
              .set = [o, speed](Trial& trial, double x) { trial.speed_m_per_s[o] = speed * std::exp(x); }});
         for (std::size_t c = 0; c < observation.noise_psd.size(); ++c) {
@@ -173,10 +149,10 @@ void add_recording(const std::vector<Observation>& observations, std::vector<Unk
             unknowns.push_back(
                 {.kind = UnknownKind::noise,
                  .name = fmt::format("noise of {} in {}", observation.channel_names[c], observation.name),
-                 .mean = guess - 2.0,
-                 .deviation = kNoiseDeviation,
-                 .low = guess - 30.0,
-                 .high = guess + 3.0,
+                 .mean = guess - kBeliefs.noise_below_guess,
+                 .deviation = kBeliefs.noise_deviation,
+                 .low = guess - kBeliefs.noise_low,
+                 .high = guess + kBeliefs.noise_high,
                  .observation = static_cast<int>(o),
                  .index = static_cast<int>(c),
                  .set = [o, c](Trial& trial, double x) { trial.noise_psd[o][c] = std::exp(x); }});
@@ -195,11 +171,12 @@ void add_floor(const std::vector<Observation>& observations, std::vector<Unknown
         for (int node = 0; node < kFloorNodeCount; ++node) {
             const int index = static_cast<int>(group) * kFloorNodeCount + node;
             unknowns.push_back({.kind = UnknownKind::floor,
-                                .name = fmt::format("floor {} at {:g} Hz", group, kFloorNodes[node]),
-                                .mean = kFloorMean,
-                                .deviation = kFloorDeviation,
-                                .low = -14.0,
-                                .high = 1.0,
+                                .name = fmt::format("floor {} at {:g} Hz", group,
+                                                    kBeliefs.floor_nodes_hz[static_cast<std::size_t>(node)]),
+                                .mean = kBeliefs.log_floor_mean,
+                                .deviation = kBeliefs.floor_deviation,
+                                .low = kBeliefs.log_least_floor,
+                                .high = kBeliefs.log_most_floor,
                                 .index = index,
                                 .set = [index](Trial& trial, double x) {
                                     trial.floor[static_cast<std::size_t>(index)] = std::exp(x);
@@ -216,10 +193,11 @@ std::size_t floor_group(std::size_t response) {
 }
 
 FloorPlace floor_place(double frequency_hz) {
-    const double f = std::clamp(frequency_hz, kFloorNodes[0], kFloorNodes[kFloorNodeCount - 1]);
-    int node = 0;
-    while (node + 2 < kFloorNodeCount && f > kFloorNodes[node + 1]) ++node;
-    return {node, std::log(f / kFloorNodes[node]) / std::log(kFloorNodes[node + 1] / kFloorNodes[node])};
+    const std::array<double, kFloorNodeCount>& nodes = kBeliefs.floor_nodes_hz;
+    const double f = std::clamp(frequency_hz, nodes.front(), nodes.back());
+    std::size_t node = 0;
+    while (node + 2 < nodes.size() && f > nodes[node + 1]) ++node;
+    return {static_cast<int>(node), std::log(f / nodes[node]) / std::log(nodes[node + 1] / nodes[node])};
 }
 
 pem::CaseParameters case_of(const Trial& trial, const BelievedCase& believed, const Observation& observation) {
@@ -240,7 +218,7 @@ Trial believed_trial(const BelievedCase& believed, const std::vector<Observation
     for (const Observation& observation : observations) {
         trial.speed_m_per_s.push_back(observation.speed_m_per_s);
         trial.noise_psd.push_back(observation.noise_psd);
-        trial.discrepancy.push_back(observation.scalar ? kScalarDiscrepancy : 0.0);
+        trial.discrepancy.push_back(observation.scalar ? kBeliefs.scalar_discrepancy : 0.0);
         trial.log_gain.emplace_back();
         for (std::size_t c = 0; c < observation.channels.size(); ++c)
             trial.log_gain.back().push_back(guessed_scale(observation, c));
@@ -254,9 +232,9 @@ std::vector<Unknown> nuisance_unknowns(const BelievedCase& believed, const std::
         unknowns.push_back({.kind = UnknownKind::number,
                             .name = number.key,
                             .deviation = number.tolerance,
-                            .low = std::log(0.05),
-                            .high = std::log(20.0),
-                            .step = kNumberStep,
+                            .low = std::log(kBeliefs.least_number),
+                            .high = std::log(kBeliefs.most_number),
+                            .step = kBeliefs.number_step,
                             .set = [&access = believed.access, number](Trial& trial, double x) {
                                 access.set(trial.numbers, number.key, number.value * std::exp(x));
                             }});
@@ -265,10 +243,10 @@ std::vector<Unknown> nuisance_unknowns(const BelievedCase& believed, const std::
     if (passing > 0.0)
         unknowns.push_back({.kind = UnknownKind::passing,
                             .name = "sleeper passing",
-                            .deviation = kPassingDeviation,
-                            .low = -3.0,
-                            .high = 3.0,
-                            .step = 1e-5,
+                            .deviation = kBeliefs.passing_deviation,
+                            .low = -kBeliefs.most_passing,
+                            .high = kBeliefs.most_passing,
+                            .step = kBeliefs.smooth_step,
                             .set = [passing](Trial& trial, double x) {
                                 trial.numbers.sleeper_passing.amplitude_factor = passing * std::exp(x);
                             }});
@@ -303,7 +281,7 @@ std::vector<Unknown> effect_unknowns(const EffectInstance& instance, std::size_t
                             .deviation = 0.5 * (high - low),
                             .low = low,
                             .high = high,
-                            .step = 1e-6 * (high - low),
+                            .step = kBeliefs.usual_step * (high - low),
                             .index = static_cast<int>(effect_index),
                             .set = [parameter, effect_index](Trial& trial, double x) {
                                 trial.effects[effect_index].values[parameter.name] = from_coordinate(parameter, x);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "diagnosis/model/beliefs.hpp"
 #include "diagnosis/observations/believed_case.hpp"
 #include "diagnosis/observations/observation.hpp"
 
@@ -12,9 +13,7 @@ namespace railpem::diagnosis {
 
 /// Groups of channels that share a discrepancy floor.
 inline constexpr int kFloorGroups = 4;  ///< body, bogies, wheels, rail
-/// Nodes of the floor over frequency, Hz.
-inline constexpr double kFloorNodes[] = {2.0, 5.0, 12.0, 30.0, 75.0, 175.0};
-inline constexpr int kFloorNodeCount = 6;
+inline constexpr int kFloorNodeCount = static_cast<int>(kBeliefs.floor_nodes_hz.size());
 
 /// A supposition. The numbers are those of the case before its effects.
 struct Trial {
@@ -63,10 +62,10 @@ struct Unknown {
     double deviation = 1.0;
     double low = -1e300;
     double high = 1e300;
-    double step = 1e-6;    ///< of the numerical derivative: what a step adds at second order is seen against the noise
-    int observation = -1;  ///< the only one that it moves; −1: all
-    int index = 0;         ///< noise: channel; floor: group·nodes + node; effect: place in Trial::effects
-    Element element = Element::body;  ///< correction: where
+    double step = kBeliefs.usual_step;  ///< of the numerical derivative
+    int observation = -1;               ///< the only one that it moves; −1: all
+    int index = 0;                      ///< noise: channel; floor: group·nodes + node; effect: place in Trial::effects
+    Element element = Element::body;    ///< correction: where
     std::function<void(Trial&, double)> set;
 };
 

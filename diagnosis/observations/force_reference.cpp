@@ -8,7 +8,7 @@
 namespace railpem::diagnosis {
 
 std::vector<double> force_reference(const Observation& observation, const std::vector<double>& nodes) {
-    constexpr double kMass_kg = 1000.0, kSide = 1.41;  ///< either side of a node: half an octave
+    const double mass_kg = kObservationSettings.reference_mass_kg, side = kObservationSettings.reference_side;
     const std::size_t size = observation.channels.size();
     const auto is_bogie = [&](std::size_t c) {
         return pem::response_names()[observation.channels[c].response].where.starts_with("bogie");
@@ -20,7 +20,7 @@ std::vector<double> force_reference(const Observation& observation, const std::v
         double sum = 0.0, count = 0.0;
         for (std::size_t bin = 0; bin < observation.bins(); ++bin) {
             const double f = observation.frequency(bin);
-            if (f < node / kSide || f > node * kSide) continue;
+            if (f < node / side || f > node * side) continue;
             for (std::size_t c = 0; c < size; ++c) {
                 if (any_bogie && !is_bogie(c)) continue;
                 sum += observation.fitted.values[bin * size * size + c * (size + 1)].real() *
@@ -28,7 +28,7 @@ std::vector<double> force_reference(const Observation& observation, const std::v
                 count += 1.0;
             }
         }
-        reference.push_back(kMass_kg * kMass_kg * (count > 0.0 ? sum / count : 1.0));
+        reference.push_back(mass_kg * mass_kg * (count > 0.0 ? sum / count : 1.0));
     }
     return reference;
 }

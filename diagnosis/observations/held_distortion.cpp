@@ -12,8 +12,6 @@ namespace railpem::diagnosis {
 
 namespace {
 
-constexpr double kSixthOctave = 1.1225;  ///< on both sides: a third of an octave
-
 bool is_wheel(const Observation& observation, std::size_t channel) {
     const std::string& where = pem::response_names()[observation.channels[channel].response].where;
     return where.starts_with("wheel") && !observation.unknown_scale[channel];
@@ -32,13 +30,14 @@ std::vector<double> power_of(const Observation& observation, const std::vector<s
 /// Recorded by believed, in thirds of an octave about every bin.
 std::vector<double> ratio_of(const std::vector<double>& recorded, const std::vector<double>& believed,
                              std::size_t first_bin) {
+    const double side = kObservationSettings.comparison_side;
     std::vector<double> ratio;
     for (std::size_t bin = 0; bin < recorded.size(); ++bin) {
         double own = 0.0, other = 0.0;
         const double at = static_cast<double>(first_bin + bin);
         for (std::size_t i = 0; i < recorded.size(); ++i) {
             const double beside = static_cast<double>(first_bin + i);
-            if (beside < at / kSixthOctave || beside > at * kSixthOctave) continue;
+            if (beside < at / side || beside > at * side) continue;
             own += recorded[i];
             other += believed[i];
         }

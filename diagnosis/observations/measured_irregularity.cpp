@@ -3,21 +3,20 @@
 #include <algorithm>
 #include <cmath>
 
+#include "diagnosis/observations/observation_options.hpp"
 #include "spectra/irregularity_spectrum.hpp"
 
 namespace railpem::diagnosis {
 
 namespace {
 
-constexpr double kLeastNodeDeviation = 0.02;
-constexpr double kTableDeviation = 0.1;
-constexpr double kCovered = 0.9;  ///< share of a node's band that a measurement has to reach
-
 /// One measurement's belief between two wavenumbers.
 NodeBelief belief_between(const spectra::IrregularityParameters& believed,
                           const recordings::MeasuredIrregularity& measured, double low, double high) {
     const std::vector<double>& n = measured.cycles_per_m;
-    if (n.empty() || n.front() > low / kCovered || n.back() < kCovered * high) return {};
+    if (n.empty() || n.front() > low / kObservationSettings.covered_share ||
+        n.back() < kObservationSettings.covered_share * high)
+        return {};
     double own = 0.0, expected = 0.0;
     std::size_t lines = 0;
     for (std::size_t i = 0; i < n.size(); ++i) {
@@ -37,9 +36,9 @@ NodeBelief belief_between(const spectra::IrregularityParameters& believed,
         expected = spectra::irregularity_psd_m3(believed, centre);
     }
     if (!(own > 0.0) || !(expected > 0.0)) return {};
-    const double deviation =
-        measured.is_profile() ? 1.0 / std::sqrt(measured.averages * static_cast<double>(lines)) : kTableDeviation;
-    return {std::log(own / expected), std::max(kLeastNodeDeviation, deviation), true};
+    const double deviation = measured.is_profile() ? 1.0 / std::sqrt(measured.averages * static_cast<double>(lines))
+                                                   : kObservationSettings.table_deviation;
+    return {std::log(own / expected), std::max(kObservationSettings.least_node_deviation, deviation), true};
 }
 
 }  // namespace
@@ -61,7 +60,8 @@ std::vector<NodeBelief> node_beliefs(const spectra::IrregularityParameters& beli
                 sum += belief.mean / (belief.deviation * belief.deviation);
             }
         if (precision > 0.0)
-            beliefs[i] = {sum / precision, std::max(kLeastNodeDeviation, 1.0 / std::sqrt(precision)), true};
+            beliefs[i] = {sum / precision,
+                          std::max(kObservationSettings.least_node_deviation, 1.0 / std::sqrt(precision)), true};
     }
     return beliefs;
 }

@@ -13,9 +13,6 @@ namespace railpem::diagnosis {
 
 namespace {
 
-/// Hz: what an axle box leaves unsaid by the others, 1e-5 of its power, is met within 2 %
-constexpr double kTransferStep = 0.125;
-
 /// Fine lines per bin: the kernel repeats beyond its own length and every wheel delay, both ways.
 int oversampling_of(double window_s, const pem::CaseParameters& believed, double speed_m_per_s) {
     const std::vector<double> wheels = vehicle::wheel_positions(believed.vehicle);
@@ -54,15 +51,16 @@ void set_band(Observation& observation, const recordings::WindowKernel& kernel, 
         throw parameters::ParameterError(
             "speed_m_per_s", "is missing: a time series is told from others by how fast the irregularity passes",
             "the mean speed in m/s, to a percent or so (its error is estimated)");
-    observation.expectation.low_hz = std::max(options.low_hz, v / longest / kBandEdge);
-    observation.expectation.high_hz =
-        std::min({options.high_hz, kBandEdge * v / shortest, 0.4 * kernel.sampling_rate_hz});
+    observation.expectation.low_hz = std::max(options.low_hz, v / longest / kObservationSettings.band_edge);
+    observation.expectation.high_hz = std::min({options.high_hz, kObservationSettings.band_edge * v / shortest,
+                                                kObservationSettings.highest_of_rate * kernel.sampling_rate_hz});
     observation.expectation.oversampling = oversampling_of(1.0 / kernel.bin_hz(), believed, v);
     observation.expectation.weights = expectation_weights(kernel, observation.expectation.oversampling);
-    observation.expectation.transfer_step_hz = kTransferStep;
-    observation.expectation.rail_every = static_cast<int>(kRailStep / kTransferStep);
+    observation.expectation.transfer_step_hz = kObservationSettings.transfer_step_hz;
+    observation.expectation.rail_every =
+        static_cast<int>(kExpectationSettings.rail_step_hz / kObservationSettings.transfer_step_hz);
     observation.expectation.threads = 1;  // many evaluations run side by side
-    if (band_bins(observation) < kFewestBins)
+    if (band_bins(observation) < kObservationSettings.fewest_bins)
         throw parameters::ParameterError(
             "speed_m_per_s",
             fmt::format("at {:g} m/s no usable band is left between {:.3g} and {:.3g} Hz", v,

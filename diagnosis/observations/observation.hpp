@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "diagnosis/expectation/expected_spectra.hpp"
+#include "diagnosis/observations/observation_options.hpp"
 #include "diagnosis/observations/scalar_data.hpp"
 #include "recordings/estimates/window.hpp"
 
@@ -49,22 +50,6 @@ struct Observation {
 
 /// of a recording that the likelihood takes: its matrices live in registers and on the stack
 inline constexpr int kMostChannels = 16;
-
-inline constexpr double kDefaultSpeedTolerance = 0.005;  ///< of a stated speed without a standard error
-inline constexpr std::size_t kFewestBins = 20;           ///< of a usable band
-inline constexpr double kRailStep = 2.0;                 ///< Hz, between the lines at which the rail is solved
-/// a band ends this much inside of what the irregularity excites
-inline constexpr double kBandEdge = 0.9;
-
-/// How a recording is turned into spectra.
-struct ObservationOptions {
-    double window_s = 4.0;  ///< long windows see finer differences; shorter ones forgive (diagnosis README)
-    /// where the likelihood is blunt; in 1 s both effects of the paper are no longer told from one
-    double coarse_window_s = 2.0;
-    double low_hz = 2.0;  ///< below, a minute has too few waves
-    double high_hz = 175.0;
-    double held_out_share = 0.25;  ///< of the end of the record, seen by no fit
-};
 
 /// Kernel and band of an observation at its speed: what the options ask for, cut to where the believed irregularity
 /// excites. Throws parameters::ParameterError when no usable band is left.

@@ -15,8 +15,6 @@ namespace railpem::diagnosis {
 
 namespace {
 
-constexpr double kCoarseTransferStep = 0.5;  ///< 3e-5 of that power: nothing where the floor is a tenth
-
 MeasuredSpectra kept(const recordings::CrossSpectra& spectra, const std::vector<ObservedChannel>& channels,
                      std::size_t first, std::size_t count) {
     MeasuredSpectra measured;
@@ -35,8 +33,9 @@ MeasuredSpectra kept(const recordings::CrossSpectra& spectra, const std::vector<
 double quiet_level(const recordings::CrossSpectra& spectra, std::size_t channel) {
     std::vector<double> values;
     for (std::size_t bin = 1; bin + 1 < spectra.bins(); ++bin) values.push_back(spectra.psd(bin, channel));
-    std::nth_element(values.begin(), values.begin() + static_cast<long>(values.size() / 50), values.end());
-    return std::max(values[values.size() / 50], 1e-30);
+    const std::size_t quiet = values.size() / kObservationSettings.quietest_of;
+    std::nth_element(values.begin(), values.begin() + static_cast<long>(quiet), values.end());
+    return std::max(values[quiet], 1e-30);
 }
 
 /// Spectra of all parts of a recording in windows of one length.
@@ -81,11 +80,12 @@ std::shared_ptr<const Observation> coarse_of(const recordings::Recording& record
                                              const Observation& fine, const pem::CaseParameters& believed,
                                              const ObservationOptions& options) {
     if (static_cast<double>(fine.bins()) * options.coarse_window_s <
-        static_cast<double>(kFewestBins) * options.window_s)
+        static_cast<double>(kObservationSettings.fewest_bins) * options.window_s)
         return {};
     Observation coarse = windowed(recording, head, believed, options, options.coarse_window_s);
-    coarse.expectation.transfer_step_hz = kCoarseTransferStep;
-    coarse.expectation.rail_every = static_cast<int>(kRailStep / kCoarseTransferStep);
+    coarse.expectation.transfer_step_hz = kObservationSettings.coarse_transfer_step_hz;
+    coarse.expectation.rail_every =
+        static_cast<int>(kExpectationSettings.rail_step_hz / kObservationSettings.coarse_transfer_step_hz);
     coarse.expectation.sharp = false;
     coarse.expectation.contacts = fine.expectation.contacts;
     coarse.log_scale = fine.log_scale;
@@ -99,7 +99,8 @@ Observation observe(const recordings::Recording& recording, const std::string& n
                     const pem::CaseParameters& believed, const ObservationOptions& options) {
     const recordings::StatedSpeed speed = recordings::stated_speed(recording);
     Observation head{.name = name, .speed_m_per_s = speed.m_per_s, .payload_kg = recording.description.payload_kg};
-    head.speed_tolerance = speed.standard_error > 0.0 ? speed.standard_error / speed.m_per_s : kDefaultSpeedTolerance;
+    head.speed_tolerance =
+        speed.standard_error > 0.0 ? speed.standard_error / speed.m_per_s : kObservationSettings.speed_tolerance;
     Observation observation = windowed(recording, head, believed, options, options.window_s);
     hold_contact_distortion(observation, believed);
     guess_scales(observation, believed);

@@ -17,13 +17,6 @@ namespace {
 using parameters::ParameterError;
 using recordings::RecordingKind;
 
-constexpr double kSpectrumDeviation = 0.10;    ///< of a level whose accuracy nobody states
-constexpr double kReceptanceDeviation = 0.05;  ///< of a hammer test
-constexpr double kDecayDeviation = 0.15;       ///< of a decay rate in a third-octave (reproducibility of EN 15461)
-constexpr double kLeastDeviation = 1e-3;
-constexpr double kPedestal = 0.05;  ///< of the mean level of the third-octave: 13 dB below it
-constexpr int kHeldOutBand = 4;     ///< one third-octave in so many is held out
-
 /// The values that a recording of the track brings; what is not positive has no logarithm and is left out.
 std::vector<ScalarValue> track_values(const recordings::Recording& recording) {
     std::vector<ScalarValue> values;
@@ -33,7 +26,7 @@ std::vector<ScalarValue> track_values(const recordings::Recording& recording) {
             if (std::abs(receptance.value_m_per_n[i]) > 0.0 && receptance.frequency_hz[i] > 0.0)
                 values.push_back({.frequency_hz = receptance.frequency_hz[i],
                                   .log_value = std::log(receptance.value_m_per_n[i]),
-                                  .deviation = kReceptanceDeviation});
+                                  .deviation = kObservationSettings.receptance_deviation});
         return values;
     }
     const recordings::MeasuredDecayRate& decay = recording.decay_rate;
@@ -43,7 +36,7 @@ std::vector<ScalarValue> track_values(const recordings::Recording& recording) {
         const double stated = decay.standard_error_db_per_m.empty() ? 0.0 : decay.standard_error_db_per_m[i] / value;
         values.push_back({.frequency_hz = decay.centre_hz[i],
                           .log_value = std::log(value),
-                          .deviation = stated > 0.0 ? stated : kDecayDeviation});
+                          .deviation = stated > 0.0 ? stated : kObservationSettings.decay_deviation});
     }
     return values;
 }
@@ -65,7 +58,7 @@ std::vector<ScalarValue> spectrum_values(const recordings::Recording& recording,
             values.push_back({.channel = c,
                               .frequency_hz = f,
                               .log_value = std::log(spectrum.psd[i]) + log_bias(recording.description.averages),
-                              .deviation = stated > 0.0 ? stated : kSpectrumDeviation});
+                              .deviation = stated > 0.0 ? stated : kObservationSettings.spectrum_deviation});
         }
     }
     return values;
@@ -87,7 +80,7 @@ void leave_out_passing(const pem::CaseParameters& believed, double speed, Scalar
     std::erase_if(data.values, [&](const ScalarValue& value) {
         const double distance =
             std::abs(value.frequency_hz - first * std::max(1.0, std::round(value.frequency_hz / first)));
-        return distance < 3.0 * data.resolution_hz;
+        return distance < kObservationSettings.passing_reach_lines * data.resolution_hz;
     });
     if (data.values.size() < before)
         data.lacks.push_back(
@@ -108,7 +101,7 @@ void raise_zeros(const std::vector<bool>& unknown_scale, ScalarData& data) {
         count += 1.0;
     }
     for (ScalarValue& value : data.values)
-        value.pedestal = kPedestal * sums[band(value)].first / sums[band(value)].second;
+        value.pedestal = kObservationSettings.pedestal * sums[band(value)].first / sums[band(value)].second;
     std::erase_if(data.values, [&](const ScalarValue& value) {
         return unknown_scale[value.channel] && std::exp(value.log_value.real()) < value.pedestal;
     });
@@ -134,7 +127,8 @@ void prepare_spectrum(const recordings::Recording& recording, const pem::CasePar
         throw ParameterError("speed_m_per_s", "channels of a running train without its speed",
                              "the speed at which they were recorded");
     const double error = recording.description.speed_standard_error_m_per_s;
-    observation.speed_tolerance = error > 0.0 ? error / observation.speed_m_per_s : kDefaultSpeedTolerance;
+    observation.speed_tolerance =
+        error > 0.0 ? error / observation.speed_m_per_s : kObservationSettings.speed_tolerance;
     std::vector<recordings::ChannelDescription> described;
     for (const recordings::ChannelSpectrum& spectrum : recording.spectra) described.push_back(spectrum.description);
     observation.channels = observed_channels(described, believed);
@@ -151,8 +145,8 @@ void prepare_spectrum(const recordings::Recording& recording, const pem::CasePar
         shortest = std::min(shortest, band.shortest_wavelength_m);
     }
     const double v = observation.speed_m_per_s;
-    observation.expectation.low_hz = std::max(options.low_hz, v / longest / kBandEdge);
-    observation.expectation.high_hz = std::min(options.high_hz, kBandEdge * v / shortest);
+    observation.expectation.low_hz = std::max(options.low_hz, v / longest / kObservationSettings.band_edge);
+    observation.expectation.high_hz = std::min(options.high_hz, kObservationSettings.band_edge * v / shortest);
     observation.scalar->values = spectrum_values(recording, observation);
     if (recording.description.kind == RecordingKind::psd) {
         observation.scalar->resolution_hz = spacing_of(recording.spectra);
@@ -176,14 +170,15 @@ void share_and_hold_out(ScalarData& data) {
     };
     const auto band = [](const ScalarValue& value) { return std::lround(10.0 * std::log10(value.frequency_hz)); };
     for (ScalarValue& value : data.values) {
-        value.deviation = std::max(value.deviation, kLeastDeviation);
+        value.deviation = std::max(value.deviation, kObservationSettings.least_deviation);
         cells[cell(value)] += 1.0;
         bands.insert(band(value));
     }
     std::set<long> held;
     int place = 0;
     for (const long own : bands)
-        if (place++ % kHeldOutBand == 2) held.insert(own);
+        if (place++ % kObservationSettings.held_out_band() == kObservationSettings.first_held_out_band)
+            held.insert(own);
     for (ScalarValue& value : data.values) {
         value.sharing = cells[cell(value)];
         value.held_out = held.count(band(value)) > 0;

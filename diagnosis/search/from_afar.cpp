@@ -13,7 +13,7 @@ namespace railpem::diagnosis {
 
 namespace {
 
-constexpr double kBluntFloor = 0.1;
+constexpr double kBluntFloor = kFitSettings.ladder.front();
 constexpr const char* kTuned = "frequency_hz";
 constexpr std::size_t kClimbed = 2;  ///< of the starts, those most probable once the numbers have followed them
 /// effects that approached highest: one of both effects of the paper was the third of them (seed 9601 of
@@ -269,8 +269,7 @@ FittedSet half_sharpened(const BelievedCase& believed, const FittedSet& blunt, c
 
 FittedSet sharpened(const BelievedCase& believed, const FittedSet& half_sharp, const LikelihoodContext& context,
                     const std::function<void()>& between, const Fit* rival) {
-    FitOptions options{
-        .iterations = 20, .stages = {0.015, 0.006, 0.0025}, .stage_iterations = kStepsOfAStage, .rival = rival};
+    FitOptions options{.stages = {0.015, 0.006, 0.0025}, .stage_iterations = kStepsOfAStage, .rival = rival};
     options.between = between;
     // its derivatives are of short windows
     const Fit values{

@@ -14,7 +14,6 @@ namespace railpem::diagnosis {
 
 namespace {
 
-constexpr double kBluntSearch = 0.1;  ///< relative floor
 /// of what retuning misses, a single that is there may leave when half sharp: axles that bend left nothing, failed
 /// fasteners and friction of 1 kN in their own place 0.6 and 2.6 %, fasteners in the place of ballast and of two other
 /// effects 7 and 11 %
@@ -38,7 +37,7 @@ constexpr std::size_t kSharpened = 3;
 
 void Search::blunt_search() {
     result_.retuned.fit.derivatives.reset();  // nothing starts from there
-    const LikelihoodContext blunt = blunted(context_, kBluntSearch);
+    const LikelihoodContext blunt = blunted(context_, kFitSettings.ladder.front());
     NamingResult found;
     NamingOptions pairs = options_;
     pairs.most_effects = std::min(2, options_.most_effects);

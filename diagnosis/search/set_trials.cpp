@@ -69,7 +69,7 @@ void SetTrials::retune() {
     if (is_blunt())
         fit_options.iterations = kBluntRetuning;
     else
-        fit_options.patience = kRetuningPatience;
+        fit_options.patience = kFitSettings.retuning_patience;
     result_.retuned.fit = fit(trial, std::move(unknowns), start, context_, fit_options);
     result_.retuned.held_out = part_log_likelihood(result_.retuned.fit, context_, Part::held_out);
 }
