@@ -5,7 +5,7 @@
 #include "app/report/diagnosis_report.hpp"
 #include "app/schema/diagnosed_case.hpp"
 #include "app/tables/diagnosis_json.hpp"
-#include "app/verbs/diagnosis_request.hpp"
+#include "app/verbs/run_diagnosis.hpp"
 #include "python/array_view.hpp"
 #include "python/bindings.hpp"
 #include "python/interruption.hpp"

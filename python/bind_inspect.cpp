@@ -4,12 +4,14 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/schema/nearest_key.hpp"
 #include "app/schema/recording_schema.hpp"
 #include "app/verbs/inspection_beliefs.hpp"
 #include "python/array_view.hpp"
 #include "python/bindings.hpp"
 #include "python/interruption.hpp"
-#include "recordings/inspection/inspection.hpp"
+#include "recordings/inspection/inspect.hpp"
+#include "recordings/inspection/inspection_words.hpp"
 #include "recordings/inspection/inspection_writers.hpp"
 
 namespace railpem::python {

@@ -3,6 +3,7 @@
 
 #include "app/output_folder.hpp"
 #include "app/schema/hide_option.hpp"
+#include "app/schema/nearest_key.hpp"
 #include "app/tables/simulated_recording_files.hpp"
 #include "app/verbs/simulation_request.hpp"
 #include "python/array_view.hpp"

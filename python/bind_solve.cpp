@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <pybind11/stl.h>
 
+#include "app/schema/nearest_key.hpp"
 #include "app/schema/read_table.hpp"
 #include "app/tables/response_summary.hpp"
 #include "app/tables/response_tables.hpp"

@@ -6,7 +6,7 @@
 
 #include <memory>
 
-#include "app/schema/case_schema.hpp"
+#include "app/schema/case_file.hpp"
 
 namespace railpem::python {
 

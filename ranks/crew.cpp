@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "ranks/alone.hpp"
-
 namespace railpem::ranks {
 
 void Crew::first_then_others(const std::function<void()>& work) {
@@ -17,11 +15,5 @@ std::size_t share_of(std::size_t left, int processes) {
     constexpr std::size_t kMost = 1024;  // a tenth of a second for 32 cores at 4 ms a case, 300 times what asking takes
     return std::clamp<std::size_t>(left / (kRounds * static_cast<std::size_t>(processes)), 1, kMost);
 }
-
-#ifndef RAILPEM_MPI
-std::unique_ptr<Crew> join_crew() {
-    return alone();
-}
-#endif
 
 }  // namespace railpem::ranks

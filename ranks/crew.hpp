@@ -34,10 +34,6 @@ class Crew {
     void first_then_others(const std::function<void()>& work);
 };
 
-/// Joins the processes that an MPI launcher (mpirun, srun) has started together. Alone without a launcher, or in a
-/// build without MPI. Once per process.
-std::unique_ptr<Crew> join_crew();
-
 /// How many numbers to hand over at a time when so many are left: many at first, so that messages are few, single ones
 /// at the end, so that all end together.
 std::size_t share_of(std::size_t left, int processes);

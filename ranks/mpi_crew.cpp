@@ -9,13 +9,12 @@
 #include <atomic>
 #include <chrono>
 #include <cstdint>
-#include <cstdlib>
 #include <exception>
 #include <mutex>
 #include <stdexcept>
 #include <thread>
 
-#include "ranks/alone.hpp"
+#include "ranks/mpi_crew.hpp"
 
 namespace railpem::ranks {
 
@@ -160,16 +159,9 @@ class MpiCrew final : public Crew {
     int rank_ = 0, size_ = 1;
 };
 
-/// A launcher leaves word in the environment: PMIx (Open MPI, Slurm) or PMI (MPICH, Slurm). Without one MPI would have
-/// to start a server for a single process.
-bool launched() {
-    return std::getenv("PMIX_RANK") || std::getenv("PMI_RANK") || std::getenv("OMPI_COMM_WORLD_RANK");
-}
-
 }  // namespace
 
-std::unique_ptr<Crew> join_crew() {
-    if (!launched()) return alone();
+std::unique_ptr<Crew> mpi_crew() {
     return std::make_unique<MpiCrew>();
 }
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "recordings/measured_irregularity.hpp"
-#include "recordings/recording_parameters.hpp"
+#include "recordings/recording_description.hpp"
 
 namespace railpem::recordings {
 

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "recordings/recording_parameters.hpp"
+#include "recordings/recording_description.hpp"
 
 namespace railpem::recordings {
 

@@ -127,7 +127,7 @@ def limit_text(rows):
         return ""
     return f"""## Distance to the limit
 
-A node of the eliminated rail costs 452 floating-point operations a line, counted in the source of `track/rail_receptance.cpp`: 244 to
+A node of the eliminated rail costs 452 floating-point operations a line, counted in the source of `track/rail/rail_receptance.cpp`: 244 to
 condense it, 208 for the selected inversion. The benchmark reaches {rail:.3g} Gflop/s, {100 * rail / core:.0f} % of the {core:.3g} Gflop/s that independent
 chains of multiply-add reach on the same core in the same run. A complex product is two multiplications and two multiply-adds, and every
 node waits for the one before it, a division included.

@@ -6,6 +6,7 @@
 #include "app/prove/draw_stream.hpp"
 #include "app/prove/effect_draws.hpp"
 #include "app/prove/trial_truth.hpp"
+#include "app/schema/case_file.hpp"
 
 namespace railpem::app {
 

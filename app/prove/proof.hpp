@@ -8,6 +8,7 @@
 #include "app/prove/proof_score.hpp"
 #include "app/prove/trial_draw.hpp"
 #include "app/prove/trial_run.hpp"
+#include "app/schema/case_file.hpp"
 
 namespace railpem::app {
 

@@ -64,9 +64,4 @@ struct ProofScore {
     std::vector<Detectability> detectability;
 };
 
-/// Judges every finished trial. `truths` and `results` are those of the same trials in the same order.
-std::vector<ScoredTrial> judge_all(const std::vector<TrialTruth>& truths, const std::vector<TrialResult>& results);
-
-ProofScore score_of(const std::vector<ScoredTrial>& trials);
-
 }  // namespace railpem::app

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "app/prove/trial_truth.hpp"
+#include "app/schema/case_file.hpp"
 
 namespace railpem::app {
 

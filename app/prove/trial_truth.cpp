@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/prove/effect_draws.hpp"
+#include "app/schema/case_file.hpp"
 
 namespace railpem::app {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "app/schema/case_schema.hpp"
 #include "diagnosis/observations/believed_case.hpp"
+#include "pem/case_parameters.hpp"
 #include "simulate/effects/hidden_effects.hpp"
 
 namespace railpem::app {

@@ -1,15 +1,8 @@
 #include "app/schema/case_schema.hpp"
 
-#include <fmt/format.h>
-
-#include <filesystem>
-
-#include "app/schema/apply_option.hpp"
 #include "app/schema/describe_table.hpp"
-#include "app/schema/effect_tables.hpp"
-#include "app/schema/irregularity_files.hpp"
-#include "app/schema/read_table.hpp"
-#include "app/schema/write_table.hpp"
+#include "app/schema/effect_list.hpp"
+#include "pem/case_parameters.hpp"
 
 namespace railpem::app {
 
@@ -107,53 +100,6 @@ constexpr const char* kCaseIntroduction =
     "`irregularity.band[2].exponent`.\n\n"
     "This page is printed by `railpem describe case` from the same description that reads the file.";
 
-/// Every number below a table, reached through `locate`: the table's struct within a case.
-using Locate = std::function<void*(pem::CaseParameters&)>;
-
-void collect_numbers(const TableSchema& schema, const std::string& prefix, const Locate& locate,
-                     pem::CaseParameters& parameters, std::vector<CaseNumber>& numbers) {
-    for (const FieldSchema& field : schema.fields) {
-        if (field.description.kind != Kind::number) continue;
-        CaseNumber number{.key = prefix + field.description.key,
-                          .description = field.description,
-                          .tolerance = field.description.tolerance};
-        number.get = [get = field.get, locate](const pem::CaseParameters& owner) {
-            return std::get<double>(get(locate(const_cast<pem::CaseParameters&>(owner))));
-        };
-        number.set = [set = field.set, locate](pem::CaseParameters& owner, double value) { set(locate(owner), value); };
-        numbers.push_back(std::move(number));
-    }
-    for (const SubtableSchema& child : schema.tables) {
-        const Locate within = [locate, member = child.member](pem::CaseParameters& owner) {
-            return member(locate(owner));
-        };
-        collect_numbers(*child.table, prefix + child.name + ".", within, parameters, numbers);
-    }
-    for (const TableListSchema& list : schema.lists)
-        for (std::size_t i = 0; i < list.size(locate(parameters)); ++i) {
-            const Locate within = [locate, at = list.at, i](pem::CaseParameters& owner) {
-                return at(locate(owner), i);
-            };
-            collect_numbers(*list.table, fmt::format("{}{}[{}].", prefix, list.name, i + 1), within, parameters,
-                            numbers);
-        }
-}
-
-CaseFile read_document_as_case(Document document, const std::string& name, const std::vector<std::string>& options) {
-    for (const std::string& option : options) apply_option(document, case_schema(), option);
-    CaseFile file{.name = name, .document = std::move(document)};
-    read_table(file.document, case_schema(), &file.without_effects);
-    read_irregularity_files(file.document, file.without_effects.irregularity);
-    file.effects = read_effects(file.document, case_schema());
-    file.parameters = with_effects(file.document, file.without_effects, file.effects);
-    try {
-        pem::check(file.parameters);
-    } catch (const ParameterError& error) {
-        throw refused(file.document, error);
-    }
-    return file;
-}
-
 }  // namespace
 
 const TableSchema& case_schema() {
@@ -161,44 +107,9 @@ const TableSchema& case_schema() {
     return *schema;
 }
 
-CaseFile read_case(const std::string& path, const std::vector<std::string>& options) {
-    return read_document_as_case(read_document(path), std::filesystem::path(path).stem().string(), options);
-}
-
-CaseFile parse_case(const std::string& name, const std::string& text, const std::vector<std::string>& options) {
-    return read_document_as_case(parse_document(name, text), std::filesystem::path(name).stem().string(), options);
-}
-
-CaseFile changed_case(const CaseFile& file, const std::vector<std::string>& options) {
-    return read_document_as_case(file.document, file.name, options);
-}
-
-std::string write_case(const pem::CaseParameters& parameters, const std::vector<diagnosis::EffectInstance>& effects) {
-    const pem::CaseParameters defaults;
-    return write_table(case_schema(), &parameters, &defaults) + write_effects(effects);
-}
-
 std::string describe_case() {
     const pem::CaseParameters defaults;
     return describe_table("The case file", kCaseIntroduction, case_schema(), &defaults);
-}
-
-std::vector<CaseNumber> case_numbers(const pem::CaseParameters& parameters) {
-    std::vector<CaseNumber> numbers;
-    pem::CaseParameters shape = parameters;
-    collect_numbers(
-        case_schema(), "", [](pem::CaseParameters& owner) -> void* { return &owner; }, shape, numbers);
-    for (CaseNumber& number : numbers) {
-        std::vector<Step> steps = key_steps(number.key);
-        for (const bool with_elements : {false, true}) {
-            std::vector<Step> named = steps;
-            if (!with_elements)
-                for (Step& step : named) step.element = 0;
-            const auto stated = parameters.tolerances.find(key_text(named));
-            if (stated != parameters.tolerances.end()) number.tolerance = stated->second;
-        }
-    }
-    return numbers;
 }
 
 }  // namespace railpem::app

@@ -1,60 +1,16 @@
 #pragma once
-// The case file: its schema, and the case read, written and described with it.
+// The schema of the case file, and the page that describes it.
 
-#include <functional>
 #include <string>
-#include <vector>
 
-#include "app/schema/document.hpp"
 #include "app/schema/schema.hpp"
-#include "diagnosis/effects/effect.hpp"
-#include "parameters/parameter_error.hpp"
-#include "pem/case_parameters.hpp"
 
 namespace railpem::app {
 
-/// The schema of a case file, bound to pem::CaseParameters.
+/// Bound to pem::CaseParameters.
 const TableSchema& case_schema();
-
-/// A case with the document that it came from: whoever uses the case can say where something in it is wrong.
-struct CaseFile {
-    std::string name;  ///< of the file, without folder and extension: outputs are called after it
-    pem::CaseParameters parameters;
-    Document document;
-    pem::CaseParameters without_effects;  ///< as the file states it, before its [[effect]] tables
-    std::vector<diagnosis::EffectInstance> effects;
-};
-
-/// Reads a case, applies the options `--set key=value` in order, then the effects, and checks all of it, the rules of
-/// physics included.
-/// Throws InputError.
-CaseFile read_case(const std::string& path, const std::vector<std::string>& options);
-
-/// The same for a text that is already there, called `name` in messages.
-CaseFile parse_case(const std::string& name, const std::string& text, const std::vector<std::string>& options);
-
-/// The same case with further options `--set key=value`. Throws InputError and leaves `file` as it is.
-CaseFile changed_case(const CaseFile& file, const std::vector<std::string>& options);
-
-/// The case as a TOML text that read_case() reads back to the same values. `effects` follow as [[effect]] tables;
-/// `parameters` are those without them.
-std::string write_case(const pem::CaseParameters& parameters,
-                       const std::vector<diagnosis::EffectInstance>& effects = {});
 
 /// The reference page of the case file.
 std::string describe_case();
-
-/// A number of a case by its dotted key, elements of lists stated: "irregularity.band[1].exponent".
-struct CaseNumber {
-    std::string key;
-    parameters::Description description;
-    double tolerance = 0.0;  ///< relative standard deviation: the case's own, else the field's
-    std::function<double(const pem::CaseParameters&)> get;
-    std::function<void(pem::CaseParameters&, double)> set;  ///< the value must lie in description.range
-};
-
-/// Every number that the case has, in the order of the schema; integers, lists and switches are not among them. Lists
-/// of tables count as they are in this case.
-std::vector<CaseNumber> case_numbers(const pem::CaseParameters& parameters);
 
 }  // namespace railpem::app

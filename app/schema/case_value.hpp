@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/schema/case_file.hpp"
 #include "app/schema/case_schema.hpp"
 
 namespace railpem::app {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <set>
 
-#include "app/schema/case_schema.hpp"
+#include "app/schema/case_file.hpp"
 #include "spectra/irregularity_spectrum.hpp"
 
 namespace railpem::app {

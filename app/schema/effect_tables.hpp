@@ -10,9 +10,6 @@
 
 namespace railpem::app {
 
-/// The schema of [[effect]]: a table per effect of the library, told by `id`.
-const VariantListSchema& effect_list();
-
 /// Reads the [[effect]] tables of a case file whose schema is `root`. Throws InputError.
 std::vector<diagnosis::EffectInstance> read_effects(const Document& document, const TableSchema& root);
 

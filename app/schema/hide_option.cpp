@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "app/input_error.hpp"
+#include "app/schema/case_numbers.hpp"
 #include "app/schema/nearest_key.hpp"
 #include "app/schema/schema.hpp"
 #include "parameters/parameter_error.hpp"

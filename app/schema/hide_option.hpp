@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/schema/case_schema.hpp"
+#include "pem/case_parameters.hpp"
 #include "simulate/effects/hidden_effects.hpp"
 
 namespace railpem::app {

@@ -1,13 +1,12 @@
 #include "app/schema/nearest_key.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <cctype>
 #include <string_view>
-
-#include "app/schema/schema.hpp"
 
 namespace railpem::app {
 
@@ -80,6 +79,10 @@ std::string nearest_key(const std::string& unknown, const std::vector<std::strin
 std::string did_you_mean(const std::string& unknown, const std::vector<std::string>& known) {
     const std::string near = nearest_key(unknown, known);
     return near.empty() ? "" : fmt::format("did you mean '{}'?", near);
+}
+
+std::string joined(const std::vector<std::string>& names) {
+    return fmt::format("{}", fmt::join(names, ", "));
 }
 
 InputError unknown_name(const std::string& option, const std::string& what, const std::string& name,

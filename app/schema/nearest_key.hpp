@@ -22,6 +22,9 @@ std::string nearest_key(const std::string& unknown, const std::vector<std::strin
 /// The hint of a refusal: "did you mean 'body_mass_kg'?" Empty when no known key is near.
 std::string did_you_mean(const std::string& unknown, const std::vector<std::string>& known);
 
+/// Names as a list for messages: "a, b, c".
+std::string joined(const std::vector<std::string>& names);
+
 /// The refusal of a name in a command line: "--without: unknown effect 'body-bendin'", what is allowed, and the hint.
 InputError unknown_name(const std::string& option, const std::string& what, const std::string& name,
                         const std::vector<std::string>& known);

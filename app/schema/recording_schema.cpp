@@ -6,6 +6,8 @@
 #include <array>
 
 #include "app/schema/describe_table.hpp"
+#include "recordings/loading/load_recording.hpp"
+#include "recordings/recording_parameters.hpp"
 
 namespace railpem::app {
 
@@ -120,6 +122,10 @@ InputError refused(const recordings::ReadError& error, const std::string& descri
     return InputError(fmt::format("{}: {}{}{}{}{}", place, error.problem(),
                                   error.allowed().empty() ? "" : "\nallowed: ", error.allowed(),
                                   named ? "\nnamed by: " : "", named ? description : ""));
+}
+
+recordings::Recording load_recording(const RecordingFile& file) {
+    return reading_data(file, [&] { return recordings::load(file.description, file.base); });
 }
 
 std::string describe_recording() {

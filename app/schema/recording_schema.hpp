@@ -8,7 +8,7 @@
 #include "app/schema/read_table.hpp"
 #include "app/schema/schema.hpp"
 #include "recordings/files/read_error.hpp"
-#include "recordings/recording_parameters.hpp"
+#include "recordings/recording.hpp"
 
 namespace railpem::app {
 
@@ -51,6 +51,9 @@ auto reading_data(const RecordingFile& file, const Work& work) {
         throw refused(file.document, error);
     }
 }
+
+/// The data of a recording. Throws InputError.
+recordings::Recording load_recording(const RecordingFile& file);
 
 /// The reference page of the recording.
 std::string describe_recording();

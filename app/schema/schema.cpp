@@ -80,10 +80,6 @@ std::vector<std::string> TableSchema::names() const {
     return all;
 }
 
-std::string joined(const std::vector<std::string>& names) {
-    return fmt::format("{}", fmt::join(names, ", "));
-}
-
 std::string allowed_text(const Description& description) {
     const std::string unit = description.unit.empty() || description.unit == "1" ? "" : ", in " + description.unit;
     const std::string range = description.range.text();

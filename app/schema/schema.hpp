@@ -157,7 +157,4 @@ std::vector<std::string> keys_named(const TableSchema& schema, const std::string
 /// name in another table of the file. Empty when there is none.
 std::string did_you_mean(const std::string& unknown, const TableSchema& table, const TableSchema& root);
 
-/// Names as a list for messages: "a, b, c".
-std::string joined(const std::vector<std::string>& names);
-
 }  // namespace railpem::app

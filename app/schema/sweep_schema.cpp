@@ -6,6 +6,8 @@
 #include <cmath>
 #include <filesystem>
 
+#include "app/schema/case_file.hpp"
+#include "app/schema/case_numbers.hpp"
 #include "app/schema/describe_table.hpp"
 #include "app/schema/nearest_key.hpp"
 #include "app/schema/read_table.hpp"

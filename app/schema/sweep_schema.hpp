@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "app/schema/case_schema.hpp"
 #include "app/schema/document.hpp"
 #include "app/schema/schema.hpp"
+#include "pem/case_parameters.hpp"
 #include "pem/coupling/sweep.hpp"
 
 namespace railpem::app {

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/program_version.hpp"
-#include "app/schema/case_schema.hpp"
+#include "app/schema/case_file.hpp"
 
 namespace railpem::app {
 

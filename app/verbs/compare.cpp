@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "app/output_folder.hpp"
-#include "app/schema/case_schema.hpp"
+#include "app/schema/case_file.hpp"
 #include "app/tables/level_differences.hpp"
 #include "app/verbs/solve_speeds.hpp"
 #include "app/verbs/verbs.hpp"

@@ -6,7 +6,7 @@
 
 #include "app/interrupt_guard.hpp"
 #include "app/progress_bar.hpp"
-#include "app/verbs/diagnosis_request.hpp"
+#include "app/verbs/run_diagnosis.hpp"
 #include "app/verbs/verbs.hpp"
 
 namespace railpem::app {

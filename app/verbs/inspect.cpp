@@ -11,7 +11,7 @@
 #include "app/schema/recording_schema.hpp"
 #include "app/verbs/inspection_beliefs.hpp"
 #include "app/verbs/verbs.hpp"
-#include "recordings/inspection/inspection.hpp"
+#include "recordings/inspection/inspect.hpp"
 #include "recordings/inspection/inspection_writers.hpp"
 
 namespace railpem::app {

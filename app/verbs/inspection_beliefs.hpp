@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/schema/case_schema.hpp"
+#include "app/schema/case_file.hpp"
 #include "app/schema/recording_schema.hpp"
 #include "recordings/checks/inspection_context.hpp"
 

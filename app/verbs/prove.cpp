@@ -15,10 +15,11 @@
 #include "app/page/page_parts.hpp"
 #include "app/progress_bar.hpp"
 #include "app/prove/proof.hpp"
+#include "app/prove/score_proof.hpp"
 #include "app/prove/score_tables.hpp"
-#include "app/schema/diagnosis_inputs.hpp"
+#include "app/schema/believed_case.hpp"
 #include "app/verbs/verbs.hpp"
-#include "ranks/crew.hpp"
+#include "ranks/join_crew.hpp"
 
 namespace railpem::app {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/schema/case_schema.hpp"
+#include "app/schema/case_file.hpp"
 #include "app/tables/truth_file.hpp"
 
 namespace railpem::app {

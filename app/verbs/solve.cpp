@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "app/output_folder.hpp"
-#include "app/schema/case_schema.hpp"
+#include "app/schema/case_file.hpp"
 #include "app/tables/response_summary.hpp"
 #include "app/tables/response_tables.hpp"
 #include "app/verbs/solve_speeds.hpp"

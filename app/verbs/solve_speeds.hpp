@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "app/schema/case_schema.hpp"
+#include "app/schema/case_file.hpp"
 #include "app/tables/response_tables.hpp"
 
 namespace railpem::app {

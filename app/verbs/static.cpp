@@ -2,7 +2,7 @@
 #include <memory>
 
 #include "app/output_folder.hpp"
-#include "app/schema/case_schema.hpp"
+#include "app/schema/case_file.hpp"
 #include "app/schema/read_table.hpp"
 #include "app/tables/response_tables.hpp"
 #include "app/verbs/verbs.hpp"

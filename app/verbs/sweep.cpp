@@ -10,10 +10,11 @@
 #include "app/output_folder.hpp"
 #include "app/program_version.hpp"
 #include "app/progress_bar.hpp"
+#include "app/schema/case_file.hpp"
 #include "app/tables/sweep_progress_file.hpp"
 #include "app/tables/sweep_table.hpp"
 #include "app/verbs/verbs.hpp"
-#include "ranks/crew.hpp"
+#include "ranks/join_crew.hpp"
 
 namespace railpem::app {
 

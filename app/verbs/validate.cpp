@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "app/schema/case_schema.hpp"
+#include "app/schema/case_file.hpp"
 #include "app/schema/read_table.hpp"
 #include "app/schema/recording_schema.hpp"
 #include "app/schema/sweep_schema.hpp"

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "recordings/recording_parameters.hpp"
+#include "recordings/recording_description.hpp"
 
 namespace railpem::diagnosis {
 

@@ -1,76 +1,190 @@
 #include "recordings/inspection/inspected_section.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <limits>
 
-#include "recordings/checks/line_names.hpp"
-#include "recordings/estimates/confidence.hpp"
-#include "recordings/estimates/noise_floor.hpp"
-#include "recordings/inspection/named_frequencies.hpp"
+#include "parameters/parameter_error.hpp"
+#include "recordings/checks/checks.hpp"
+#include "recordings/inspection/inspection_steps.hpp"
+#include "recordings/inspection/spectrogram.hpp"
+#include "recordings/stated_speed.hpp"
+#include "recordings/units.hpp"
 
 namespace railpem::recordings {
 namespace {
 
-double speed_for_names(const InspectionReport& report) {
-    return report.speed_m_per_s > 0.0 ? report.speed_m_per_s : report.stated_speed_m_per_s;
+constexpr double window_s = 2.0;
+
+std::vector<double> detrended_without_gaps(const std::vector<double>& samples) {
+    std::vector<double> result = without_trend(samples);
+    for (double& value : result)
+        if (!std::isfinite(value)) value = 0.0;
+    return result;
 }
 
-void describe_channel(const CrossSpectra& spectra, std::size_t i, ChannelInspection& inspection) {
-    for (std::size_t k = 0; k < spectra.bins(); ++k) inspection.psd.push_back(spectra.psd(k, i));
-    inspection.bands = band_levels(spectra, i);
-    if (spectra.size() < 2 || spectra.averages < 2.0 * static_cast<double>(spectra.size())) return;
-    inspection.incoherent = incoherent_part(spectra, i);
-    double power = 0.0;
-    for (std::size_t k = 0; k < spectra.bins(); ++k)
-        if (spectra.frequency_hz[k] > 4.0 && spectra.frequency_hz[k] < 0.4 * spectra.sampling_rate_hz &&
-            std::isfinite(inspection.incoherent[k]))
-            power += inspection.incoherent[k] * spectra.kernel().bin_hz();
-    if (power > 0.0) inspection.noise_rms = std::sqrt(power);
+std::optional<CrossSpectra> spectra_of(const TimeSeries& series) {
+    try {
+        return estimate_cross_spectra(series, {.window_s = window_s});
+    } catch (const parameters::ParameterError&) {  // shorter than a window, or never complete: said by the checks
+        return std::nullopt;
+    }
+}
+
+checks::Evidence gather(const Recording& recording, const InspectionContext& context,
+                        const std::optional<CrossSpectra>& spectra) {
+    checks::Evidence evidence{recording, context, spectra ? &*spectra : nullptr, {}, {}, {}, {}};
+    for (const Channel& channel : recording.series.channels) {
+        evidence.detrended.push_back(detrended_without_gaps(channel.samples));
+        evidence.lines.push_back(find_lines(evidence.detrended.back(), recording.series.sampling_rate_hz));
+    }
+    if (context.geometry) {
+        evidence.delays = wheelbase_delays(recording.series, *context.geometry, {});
+        evidence.speed = wheelbase_speed(evidence.delays);
+    }
+    return evidence;
+}
+
+void add_channel(const checks::Evidence& evidence, std::size_t i, InspectionReport& report) {
+    const Channel& channel = evidence.series().channels[i];
+    ChannelInspection inspection;
+    inspection.description = channel.description;
+    double count = 0.0, second = 0.0, fourth = 0.0;
+    for (const double x : channel.samples)
+        if (std::isfinite(x)) {
+            inspection.mean += x;
+            count += 1.0;
+        }
+    inspection.mean /= std::max(1.0, count);
+    for (const double x : evidence.detrended[i]) {
+        second += x * x;
+        fourth += x * x * x * x;
+        inspection.peak = std::max(inspection.peak, std::abs(x));
+    }
+    inspection.rms = std::sqrt(second / std::max(1.0, count));
+    inspection.kurtosis = second > 0.0 ? fourth * count / (second * second) : 0.0;
+    inspection.noise_rms = std::numeric_limits<double>::quiet_NaN();
+    inspection.lines = evidence.lines[i];
+    report.channels.push_back(std::move(inspection));
+}
+
+/// Axle boxes or bogies of which no delay to another was found, though the recording has several: nothing was seen of
+/// their timing, order and polarity.
+std::vector<std::string> without_delay(const checks::Evidence& evidence, Location location) {
+    std::vector<std::string> alone;
+    std::size_t members = 0;
+    for (std::size_t i = 0; i < evidence.series().channels.size(); ++i) {
+        if (evidence.series().channels[i].description.location != location) continue;
+        ++members;
+        if (std::none_of(evidence.delays.begin(), evidence.delays.end(),
+                         [&](const PairDelay& pair) { return pair.front == i || pair.rear == i; }))
+            alone.push_back(evidence.name(i));
+    }
+    return members > 1 ? alone : std::vector<std::string>{};
+}
+
+/// What was not looked at, so that silence is not taken for soundness.
+void add_not_checked(const checks::Evidence& evidence, InspectionReport& report) {
+    const TimeSeries& series = evidence.series();
+    if (series.time_s.empty())
+        report.not_checked.emplace_back("sampling jitter and gaps in time: the file has no time column");
+    if (evidence.context.predicted.empty())
+        report.not_checked.emplace_back("units against a prediction: no case was given");
+    if (!evidence.context.geometry)
+        report.not_checked.emplace_back(
+            "speed, timing, order and polarity of the axle boxes by their delays: no case was given, the wheelbase is "
+            "not known");
+    else if (evidence.delays.empty())
+        report.not_checked.emplace_back(
+            "speed, timing, order and polarity by delays: no two axle boxes or bogies show the same track");
+    else
+        for (const Location location : {Location::wheel, Location::bogie})
+            if (const std::vector<std::string> alone = without_delay(evidence, location); !alone.empty())
+                report.not_checked.push_back(
+                    fmt::format("timing, order and polarity of {} by delays: none to another such channel was found; a "
+                                "longer record shows more",
+                                fmt::join(alone, ", ")));
+    if (!evidence.spectra)
+        report.not_checked.emplace_back("everything that needs a spectrum: there is no complete window of 2 s");
+    std::vector<std::string> body;
+    for (const Channel& channel : series.channels)
+        if (channel.description.location == Location::body) body.push_back(channel.description.name);
+    if (!body.empty() && body.size() < 3)
+        report.not_checked.push_back(
+            fmt::format("polarity and timing of {}: a rigid body tells them from its two ends and its centre together; "
+                        "fewer channels look alike either way up, only a model with the wheels or bogies can decide",
+                        fmt::join(body, ", ")));
+}
+
+void run_checks(const checks::Evidence& evidence, std::vector<Fault>& faults) {
+    for (const auto check :
+         {checks::check_samples, checks::check_soft_clipping, checks::check_offset, checks::check_unit,
+          checks::check_channels, checks::check_polarity, checks::check_timing, checks::check_mains,
+          checks::check_aliasing, checks::check_sampling, checks::check_stationarity, checks::check_impacts})
+        check(evidence, faults);
+}
+
+/// Of a profile its figures are kept and its spectrum, not its samples.
+void take_irregularity(const MeasuredIrregularity& brought, InspectionReport& report) {
+    report.irregularity = brought;
+    report.irregularity.position_m.clear();
+    report.irregularity.height_m.clear();
+    if (!brought.is_profile()) return;
+    const auto count = static_cast<double>(brought.height_m.size());
+    double mean = 0.0, square = 0.0;
+    for (const double height : brought.height_m) mean += height / count;
+    for (const double height : brought.height_m) square += (height - mean) * (height - mean) / count;
+    report.profile_length_m = brought.position_m.back() - brought.position_m.front();
+    report.profile_step_m = report.profile_length_m / (count - 1.0);
+    report.profile_rms_m = std::sqrt(square);
+}
+
+InspectionReport header(const Recording& recording) {
+    InspectionReport report;
+    report.title = recording.description.title;
+    report.file = recording.file;
+    report.kind = recording.description.kind;
+    const StatedSpeed speed = stated_speed(recording);
+    report.stated_speed_m_per_s = speed.m_per_s;
+    report.stated_speed_error_m_per_s = speed.standard_error;
+    report.lacks = recording.lacks;
+    report.notes = recording.notes;
+    report.spectra = recording.spectra;
+    report.receptance = recording.receptance;
+    report.decay_rate = recording.decay_rate;
+    take_irregularity(recording.irregularity, report);
+    return report;
 }
 
 }  // namespace
 
-void describe_spectra(const CrossSpectra& spectra, InspectionReport& report) {
-    report.frequency_hz = spectra.frequency_hz;
-    report.averages = spectra.averages;
-    report.coherence_limit = coherence_limit(spectra.averages, 0.05);
-    const Interval interval = spectrum_interval(spectra.averages);
-    report.interval_low_db = 10.0 * std::log10(interval.low);
-    report.interval_high_db = 10.0 * std::log10(interval.high);
-    for (std::size_t i = 0; i < spectra.size(); ++i) describe_channel(spectra, i, report.channels[i]);
-    for (std::size_t i = 0; i < spectra.size(); ++i)
-        for (std::size_t j = i + 1; j < spectra.size(); ++j) {
-            PairCoherence pair{spectra.channels[i].name, spectra.channels[j].name, {}};
-            for (std::size_t k = 0; k < spectra.bins(); ++k) pair.coherence.push_back(spectra.coherence(k, i, j));
-            report.coherences.push_back(std::move(pair));
-        }
-}
-
-void name_lines(const InspectionContext& context, InspectionReport& report) {
-    if (report.kind != RecordingKind::timeseries) return;
-    const double speed = speed_for_names(report);
-    const double speed_error = report.speed_m_per_s > 0.0 ? report.speed_error_m_per_s
-                                                          : std::max(0.01 * speed, report.stated_speed_error_m_per_s);
-    std::vector<std::vector<SpectralLine>> lines;
-    for (const ChannelInspection& channel : report.channels) lines.push_back(channel.lines);
-    report.wheel_orders = wheel_orders_of(lines, speed);
-    for (ChannelInspection& channel : report.channels)
-        for (const SpectralLine& line : channel.lines) {
-            std::string name = name_of_line(line.frequency_hz, speed, speed_error, context);
-            if (name.empty() && report.wheel_orders) name = name_by_rotation(line.frequency_hz, *report.wheel_orders);
-            channel.line_names.push_back(std::move(name));
-        }
-    InspectionContext known = context;
-    if (known.wheel_radius_m <= 0.0 && report.wheel_orders)
-        known.wheel_radius_m = speed / (2.0 * std::numbers::pi * report.wheel_orders->rotation_hz);
-    report.named_frequencies = named_frequencies(speed, 0.5 * report.sampling_rate_hz, known);
-}
-
-void sort_faults(std::vector<Fault>& faults) {
-    std::stable_sort(faults.begin(), faults.end(), [](const Fault& a, const Fault& b) {
-        return static_cast<int>(a.severity) > static_cast<int>(b.severity);
-    });
+InspectedSection inspect_section(const Recording& recording, const InspectionContext& context) {
+    InspectedSection section{header(recording), std::nullopt};
+    InspectionReport& report = section.report;
+    if (report.kind != RecordingKind::timeseries) {
+        report.not_checked.emplace_back("sensors: this kind of data holds no time series");
+        return section;
+    }
+    const TimeSeries& series = recording.series;
+    report.duration_s = series.duration_s();
+    report.sampling_rate_hz = series.sampling_rate_hz;
+    report.samples = series.size();
+    section.spectra = spectra_of(series);
+    const checks::Evidence evidence = gather(recording, context, section.spectra);
+    if (evidence.speed) {
+        report.speed_m_per_s = evidence.speed->speed_m_per_s;
+        report.speed_error_m_per_s = evidence.speed->standard_error_m_per_s;
+        report.speed_pairs = evidence.speed->pairs_used;
+    }
+    for (std::size_t i = 0; i < series.channels.size(); ++i) add_channel(evidence, i, report);
+    run_checks(evidence, report.faults);
+    sort_faults(report.faults);
+    report.spectrograms = spectrograms_of(series);
+    add_not_checked(evidence, report);
+    return section;
 }
 
 }  // namespace railpem::recordings

@@ -3,7 +3,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "recordings/inspection/inspection.hpp"
+#include "recordings/inspection/inspection_report.hpp"
 
 namespace railpem::recordings {
 

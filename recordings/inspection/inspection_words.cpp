@@ -97,4 +97,29 @@ std::vector<TableFact> table_facts(const InspectionReport& report) {
     return facts;
 }
 
+std::string verdict_of(const InspectionReport& report) {
+    if (report.kind != RecordingKind::timeseries)
+        return "Read. Faults of the sensors cannot be looked for in this kind of data.";
+    const auto count = [&](Severity severity) {
+        return std::count_if(report.faults.begin(), report.faults.end(),
+                             [&](const Fault& fault) { return fault.severity == severity; });
+    };
+    const auto kinds = [&](Severity severity) {
+        std::vector<std::string> names;
+        for (const Fault& fault : report.faults)
+            if (fault.severity == severity &&
+                std::find(names.begin(), names.end(), fault_name(fault.kind)) == names.end())
+                names.push_back(fault_name(fault.kind));
+        return fmt::format("{}", fmt::join(names, ", "));
+    };
+    const auto errors = count(Severity::error), warnings = count(Severity::warning);
+    if (errors > 0)
+        return fmt::format("Not to be trusted as it is: {} error{} ({}), {} warning{}.", errors, errors > 1 ? "s" : "",
+                           kinds(Severity::error), warnings, warnings == 1 ? "" : "s");
+    if (warnings > 0)
+        return fmt::format("Usable with care: {} warning{} ({}).", warnings, warnings > 1 ? "s" : "",
+                           kinds(Severity::warning));
+    return "No fault was found.";
+}
+
 }  // namespace railpem::recordings

@@ -4,9 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "recordings/inspection/inspection.hpp"
+#include "recordings/inspection/inspection_report.hpp"
 
 namespace railpem::recordings {
+
+/// One sentence: can the recording be trusted.
+std::string verdict_of(const InspectionReport& report);
 
 std::string place_words(const ChannelDescription& channel);  ///< "wheel 1", "body +9 m", "wheel 2 left"
 std::string fault_place(const Fault& fault);                 ///< channels and time of a fault: "axlebox_1 at 12.3 s"

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "recordings/inspection/inspection.hpp"
+#include "recordings/inspection/inspection_report.hpp"
 
 namespace railpem::recordings {
 

@@ -11,6 +11,7 @@
 #include "recordings/files/read_error.hpp"
 #include "recordings/files/uff.hpp"
 #include "recordings/loading/load_tables.hpp"
+#include "recordings/recording_parameters.hpp"
 #include "recordings/units.hpp"
 
 namespace railpem::recordings {

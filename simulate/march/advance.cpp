@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "simulate/track/footing.hpp"
+#include "simulate/track/solve_track.hpp"
 
 namespace railpem::simulate {
 

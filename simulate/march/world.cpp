@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "simulate/track/rest.hpp"
+#include "simulate/track/solve_track.hpp"
 
 namespace railpem::simulate {
 

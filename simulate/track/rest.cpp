@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "parameters/parameter_error.hpp"
+#include "simulate/track/solve_track.hpp"
 
 namespace railpem::simulate {
 

@@ -12,8 +12,8 @@
 #include <map>
 #include <random>
 
-#include "app/schema/case_schema.hpp"
-#include "app/schema/diagnosis_inputs.hpp"
+#include "app/schema/believed_case.hpp"
+#include "app/schema/case_file.hpp"
 #include "diagnosis/diagnose.hpp"
 #include "diagnosis/fit/interval.hpp"
 #include "diagnosis/fit/synthesis.hpp"

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "app/schema/case_schema.hpp"
-#include "app/schema/diagnosis_inputs.hpp"
+#include "app/schema/believed_case.hpp"
+#include "app/schema/case_file.hpp"
 #include "diagnosis/fit/fit.hpp"
 #include "diagnosis/fit/synthesis.hpp"
 

@@ -13,8 +13,8 @@
 #include <cstdlib>
 #include <optional>
 
-#include "app/schema/case_schema.hpp"
-#include "app/schema/diagnosis_inputs.hpp"
+#include "app/schema/believed_case.hpp"
+#include "app/schema/case_file.hpp"
 #include "diagnosis/diagnose.hpp"
 #include "diagnosis/hypotheses/fitted_set.hpp"
 #include "spectra/irregularity_spectrum.hpp"

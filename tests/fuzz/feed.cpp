@@ -10,7 +10,7 @@
 #include <stdexcept>
 
 #include "app/input_error.hpp"
-#include "app/schema/case_schema.hpp"
+#include "app/schema/case_file.hpp"
 #include "app/schema/recording_schema.hpp"
 #include "app/schema/sweep_schema.hpp"
 #include "parameters/parameter_error.hpp"

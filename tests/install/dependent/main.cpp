@@ -2,7 +2,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "app/schema/case_schema.hpp"
+#include "app/schema/case_file.hpp"
 #include "pem/coupling/solution.hpp"
 
 int main(int argc, char** argv) {

@@ -1,4 +1,6 @@
 #include "app/schema/case_schema.hpp"
+#include "app/schema/case_file.hpp"
+#include "app/schema/case_numbers.hpp"
 
 #include <gtest/gtest.h>
 

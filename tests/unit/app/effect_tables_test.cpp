@@ -7,6 +7,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "app/schema/case_file.hpp"
 #include "app/schema/case_schema.hpp"
 
 namespace railpem::app {

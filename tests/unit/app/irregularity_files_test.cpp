@@ -8,7 +8,7 @@
 #include <numbers>
 #include <sstream>
 
-#include "app/schema/case_schema.hpp"
+#include "app/schema/case_file.hpp"
 #include "program_in_process.hpp"
 #include "spectra/irregularity_spectrum.hpp"
 #include "spectra/profile_spectrum.hpp"

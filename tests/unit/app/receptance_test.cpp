@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/schema/case_schema.hpp"
+#include "app/schema/case_file.hpp"
 #include "program_in_process.hpp"
 
 namespace railpem::app {
@@ -41,8 +41,8 @@ TEST(Receptance, TablesOfTheContract) {
     EXPECT_EQ(decay.at("centre_hz").size(), 23u);
 }
 
-/// Force and response of the tables are those of pem/track_response.hpp at the frequencies asked for; one or two
-/// threads.
+/// Force and response of the tables are those of pem/coupling/track_response.hpp at the frequencies asked for; one or
+/// two threads.
 TEST(Receptance, RangeLinesOverridesAndThreads) {
     const Scratch scratch;
     const Names arguments{"receptance", shipped("ballasted/uic60.toml"),

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <random>
 
-#include "app/schema/case_schema.hpp"
-#include "app/schema/diagnosis_inputs.hpp"
+#include "app/schema/believed_case.hpp"
+#include "app/schema/case_file.hpp"
 #include "diagnosis/diagnose.hpp"
 #include "diagnosis/observations/observe_scalars.hpp"
 #include "pem/coupling/solution.hpp"

@@ -4,8 +4,9 @@
 
 #include "app/page/page_parts.hpp"
 #include "app/prove/trial_draw.hpp"
-#include "app/schema/case_schema.hpp"
-#include "app/schema/diagnosis_inputs.hpp"
+#include "app/schema/believed_case.hpp"
+#include "app/schema/case_file.hpp"
+#include "app/schema/recording_schema.hpp"
 
 namespace railpem::app {
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "app/prove/score_proof.hpp"
 #include "app/prove/score_tables.hpp"
 #include "tests/unit/prove/proof_case.hpp"
 

@@ -1,4 +1,4 @@
-#include "ranks/crew.hpp"
+#include "ranks/join_crew.hpp"
 
 #include <gtest/gtest.h>
 

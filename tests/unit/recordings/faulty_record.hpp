@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "recordings/estimates/fourier_transform.hpp"
-#include "recordings/inspection/inspection.hpp"
+#include "recordings/inspection/inspect.hpp"
 #include "synthetic_record.hpp"
 
 namespace railpem::recordings::testing {

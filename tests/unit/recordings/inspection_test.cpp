@@ -6,8 +6,10 @@
 
 #include "recordings/estimates/noise_floor.hpp"
 #include "recordings/estimates/order_track.hpp"
+#include "recordings/inspection/inspect.hpp"
 #include "recordings/inspection/inspection_writers.hpp"
 #include "recordings/loading/write_csv.hpp"
+#include "recordings/recording_parameters.hpp"
 #include "scratch_folder.hpp"
 #include "synthetic_record.hpp"
 

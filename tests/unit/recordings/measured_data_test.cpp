@@ -11,6 +11,7 @@
 
 #include "recordings/files/read_csv.hpp"
 #include "recordings/files/uff.hpp"
+#include "recordings/inspection/inspect.hpp"
 #include "recordings/inspection/inspection_writers.hpp"
 #include "recordings/loading/load_recording.hpp"
 #include "recordings/loading/write_csv.hpp"

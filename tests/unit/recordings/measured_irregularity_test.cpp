@@ -1,6 +1,7 @@
 // The irregularity that a recording brings with it: read, refused with its line, and said by the inspection.
 
 #include "recordings/measured_irregularity.hpp"
+#include "recordings/inspection/inspect.hpp"
 
 #include <gtest/gtest.h>
 

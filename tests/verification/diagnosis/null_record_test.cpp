@@ -88,8 +88,8 @@ TEST(NullRecord, StandingWheels) {
 }
 
 // Pads on their curve under a train so fast that its load comes and goes by a fifth: what they distort is part of the
-// expectation. Without pem/pad_distortion.hpp the traces with 4 s are 1.47 and 1.61, and a free fit ends beside the
-// truth.
+// expectation. Without pem/distortion/pad_distortion.hpp the traces with 4 s are 1.47 and 1.61, and a free fit ends
+// beside the truth.
 TEST(NullRecord, PadsThatStiffenUnderLoadDistort) {
     constexpr double kFast = 33.0;
     for (const double exponent : {0.0, 0.15}) {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "app/schema/case_schema.hpp"
+#include "app/schema/case_file.hpp"
 #include "pem/coupling/solution.hpp"
 #include "pem/rail/rail_model.hpp"
 

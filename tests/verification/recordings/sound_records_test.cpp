@@ -6,7 +6,7 @@
 
 #include <map>
 
-#include "recordings/inspection/inspection.hpp"
+#include "recordings/inspection/inspect.hpp"
 #include "tests/unit/recordings/synthetic_record.hpp"
 
 namespace railpem::recordings {

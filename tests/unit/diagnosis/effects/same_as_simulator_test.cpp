@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "app/schema/case_schema.hpp"
+#include "app/schema/case_file.hpp"
 #include "app/schema/effect_tables.hpp"
 #include "simulate/effects/hidden_effects.hpp"
 #include "tests/unit/diagnosis/effect_fixtures.hpp"

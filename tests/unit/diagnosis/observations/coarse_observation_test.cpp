@@ -6,6 +6,7 @@
 #include <random>
 
 #include "diagnosis/observations/observation.hpp"
+#include "diagnosis/observations/observe.hpp"
 #include "diagnosis/search/from_afar.hpp"
 #include "tests/unit/diagnosis/scalar_recordings.hpp"
 

@@ -1,10 +1,10 @@
-#include "app/schema/diagnosis_inputs.hpp"
+#include "app/schema/believed_case.hpp"
 
 #include <cmath>
 
+#include "app/schema/case_numbers.hpp"
 #include "app/schema/effect_tables.hpp"
 #include "pem/contact.hpp"
-#include "recordings/loading/load_recording.hpp"
 
 namespace railpem::app {
 
@@ -26,10 +26,6 @@ diagnosis::BelievedCase believed_case(const CaseFile& file) {
                                       .unit = number.description.unit});
     }
     return believed;
-}
-
-recordings::Recording load_recording(const RecordingFile& file) {
-    return reading_data(file, [&] { return recordings::load(file.description, file.base); });
 }
 
 }  // namespace railpem::app

@@ -1,4 +1,4 @@
-// A long recording, inspected section by section in bounded memory, and the reports joined into one.
+#include "recordings/inspection/inspect.hpp"
 
 #include <fmt/format.h>
 
@@ -6,10 +6,13 @@
 #include <cmath>
 
 #include "recordings/inspection/inspected_section.hpp"
+#include "recordings/inspection/inspection_steps.hpp"
 #include "recordings/loading/load_recording.hpp"
 
 namespace railpem::recordings {
 namespace {
+
+// A long recording is inspected section by section in bounded memory, and the reports are joined into one.
 
 /// Means weighted with the time behind each.
 double weighted(double all, double one, double share) {
@@ -128,6 +131,13 @@ void join(const InspectionReport& one, bool judged, InspectionReport& all) {
 }
 
 }  // namespace
+
+InspectionReport inspect(const Recording& recording, const InspectionContext& context) {
+    InspectedSection section = inspect_section(recording, context);
+    if (section.spectra) describe_spectra(*section.spectra, section.report);
+    name_lines(context, section.report);
+    return std::move(section.report);
+}
 
 InspectionReport inspect_file(const RecordingDescription& description, const std::filesystem::path& base,
                               const InspectionContext& context, std::size_t samples) {

@@ -1,4 +1,4 @@
-#include "app/prove/proof_score.hpp"
+#include "app/prove/score_proof.hpp"
 
 #include <algorithm>
 #include <cassert>

@@ -1,7 +1,6 @@
 #pragma once
 // What a recording holds and whether it can be trusted: one result, three writers (text, JSON, HTML).
 
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -73,17 +72,5 @@ struct InspectionReport {
     MeasuredIrregularity irregularity;     ///< that the recording brings, without the samples of its profile
     double profile_length_m = 0.0, profile_step_m = 0.0, profile_rms_m = 0.0;  ///< 0: not a profile; rms without mean
 };
-
-/// Looks at a recording with everything that is believed about it. Changes nothing.
-InspectionReport inspect(const Recording& recording, const InspectionContext& context = {});
-
-/// The same for a file of any length: a CSV time series of more than `samples` per channel is inspected section by
-/// section in bounded memory, and the reports are joined (faults with their times, spectra averaged, the first
-/// section's figures shown).
-InspectionReport inspect_file(const RecordingDescription& description, const std::filesystem::path& base,
-                              const InspectionContext& context = {}, std::size_t samples = 600000);
-
-/// One sentence: can the recording be trusted.
-std::string verdict_of(const InspectionReport& report);
 
 }  // namespace railpem::recordings
