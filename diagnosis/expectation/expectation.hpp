@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "diagnosis/expectation/expectation_settings.hpp"
+#include "diagnosis/expectation/speed_mixture.hpp"
 #include "pem/coupling/excitation.hpp"
 #include "pem/coupling/wheel_transfers.hpp"
 #include "pem/distortion/contact_distortion.hpp"
@@ -57,6 +58,7 @@ struct ExpectationOptions {
     std::shared_ptr<const StageFriction> realised_friction;
     /// what they distort, but for the case's nonlinearity; not smoothed by the kernel: broad and weak
     pem::ContactDistortion contacts;
+    std::shared_ptr<const SpeedMixture> speeds;  ///< at which the windows were run; none: one speed
     recordings::KernelWeights weights;  ///< of the kernel, when whoever asks often has them already; else computed
 };
 

@@ -210,33 +210,37 @@ ExpectationCache with_other_sensors(const ExpectationCache& known, const pem::Ca
 /// `irregularity`: its powers on the fine grid.
 void add_broadband(const pem::CaseParameters& parameters, const pem::Excitation& excitation,
                    const MetPowers& irregularity, double speed, const ExpectationCache& parts, const FineGrid& grid,
-                   double bin, const recordings::KernelWeights& weights, const pem::ContactDistortion& contacts,
+                   double bin, const recordings::KernelWeights& weights, const ExpectationOptions& options,
                    ExpectedSpectra& expected) {
+    const SpeedMixture* speeds = options.speeds.get();
     const std::vector<double> wheels = vehicle::wheel_positions(parameters.vehicle);
-    for (const pem::DelayedSpectrum& source : excitation.broadband)
+    for (const pem::DelayedSpectrum& source : excitation.broadband) {
+        const bool first = &source == &excitation.broadband.front();
+        const std::vector<double> power =
+            first ? irregularity.at_lines : powers_at_lines(speeds ? over_speeds(source, *speeds) : source, grid);
         add_smoothed(
-            fine_responses(
-                parts.of_irregularity, source,
-                &source == &excitation.broadband.front() ? irregularity.at_lines : powers_at_lines(source, grid),
-                wheels, speed, grid),
-            expected.channels, weights,
+            fine_responses(parts.of_irregularity, source, power, wheels, speed, grid, speeds), expected.channels,
+            weights,
             {.first = grid.first, .count = grid.count, .first_bin = expected.first_bin, .bins = expected.bins()},
             expected.values);
+    }
     std::vector<pem::DelayedSpectrum> faint = pem::pad_distortion(parts.pads, excitation.broadband, wheels, speed);
-    std::ranges::move(pem::distortion_sources(contacts, parameters), std::back_inserter(faint));
-    add_as_they_are(parts.transfers, faint, wheels, speed, bin, expected);
+    std::ranges::move(pem::distortion_sources(options.contacts, parameters), std::back_inserter(faint));
+    add_as_they_are(parts.transfers, faint, wheels, speed, bin, speeds, expected);
     if (!parameters.wheels_own.empty())
         add_wheels_own(parameters, parts.transfers, excitation.broadband.front(), wheels, speed, bin, expected);
-    add_felt(parts.transfers, parts.felt, excitation.broadband.front(), wheels, speed, bin, expected);
+    add_felt(parts.transfers, parts.felt, excitation.broadband.front(), wheels, speed, bin, speeds, expected);
 }
 
 void add_all_lines(const pem::CaseParameters& parameters, const pem::Excitation& excitation,
-                   const ExpectationCache& parts, const recordings::WindowKernel& kernel, ExpectedSpectra& expected) {
+                   const ExpectationCache& parts, const recordings::WindowKernel& kernel, const SpeedMixture* speeds,
+                   ExpectedSpectra& expected) {
     // Of wheels out of round what supports make of them: lines of joints hardly stand above the irregularity, those of
     // passing supports act on each other (feed_back_lines).
     for (const pem::LineSet& set : excitation.lines) {
         const bool modulated = set.name.starts_with("wheel_") && !parts.felt.empty();
-        add_lines(parameters, parts.transfers, modulated ? pem::felt_lines(parts.felt, set) : set, kernel, expected);
+        add_lines(parameters, parts.transfers, modulated ? pem::felt_lines(parts.felt, set) : set, kernel, speeds,
+                  expected);
     }
 }
 
@@ -264,15 +268,14 @@ ExpectedSpectra expected_spectra(const pem::CaseParameters& parameters, double s
     if (reuse >= Reuse::motion && !parts.forces.empty()) expected.values = parts.forces;
     const pem::Excitation excitation =
         pem::excitation(parameters, vehicle::wheel_positions(parameters.vehicle), speed, &parts.track);
-    const MetPowers irregularity =
-        met_powers(parameters, excitation.broadband.front(), speed, grid, known ? &known->powers : nullptr);
+    const MetPowers irregularity = met_powers(parameters, excitation.broadband.front(), speed, grid,
+                                              known ? &known->powers : nullptr, options.speeds.get());
     if (reuse == Reuse::broadband && parts.broadband.size() == expected.values.size())
         expected.values = parts.broadband;
     else
-        add_broadband(parameters, excitation, irregularity, speed, parts, grid, bin, weights, options.contacts,
-                      expected);
+        add_broadband(parameters, excitation, irregularity, speed, parts, grid, bin, weights, options, expected);
     if (filled) own.broadband = expected.values, own.powers = irregularity;
-    add_all_lines(parameters, excitation, parts, kernel, expected);
+    add_all_lines(parameters, excitation, parts, kernel, options.speeds.get(), expected);
     if (filled && reuse < Reuse::transfers) *filled = std::move(own);
     add_sensor_noise(parameters, channels, bin, expected);
     for (std::size_t b = 0; b < bins; ++b)

@@ -73,16 +73,25 @@ void add_smoothed(const std::vector<std::complex<double>>& responses, std::size_
                   const recordings::KernelWeights& kernel, const SmoothingGrid& grid,
                   std::vector<std::complex<double>>& matrices) {
     const Polyphase order(kernel, grid);
-    const std::size_t size = order.size();
-    std::vector<double> re(channels * size, 0.0), im(channels * size, 0.0), product_re(size), product_im(size);
-    for (std::size_t c = 0; c < channels; ++c)
-        order.spread(&responses[c * grid.count], grid.count, &re[c * size], &im[c * size]);
+    const std::size_t size = order.size(), ranks = responses.size() / (channels * grid.count), rows = ranks * channels;
+    std::vector<double> re(rows * size, 0.0), im(rows * size, 0.0), product_re(size), product_im(size);
+    for (std::size_t row = 0; row < rows; ++row)
+        order.spread(&responses[row * grid.count], grid.count, &re[row * size], &im[row * size]);
     for (std::size_t a = 0; a < channels; ++a)
         for (std::size_t b = 0; b <= a; ++b) {
-            const double *ar = &re[a * size], *ai = &im[a * size], *br = &re[b * size], *bi = &im[b * size];
-            for (std::size_t i = 0; i < size; ++i) {
-                product_re[i] = ar[i] * br[i] + ai[i] * bi[i];
-                product_im[i] = ai[i] * br[i] - ar[i] * bi[i];
+            for (std::size_t rank = 0; rank < ranks; ++rank) {
+                const double *ar = &re[(rank * channels + a) * size], *ai = &im[(rank * channels + a) * size],
+                             *br = &re[(rank * channels + b) * size], *bi = &im[(rank * channels + b) * size];
+                if (rank == 0)
+                    for (std::size_t i = 0; i < size; ++i) {
+                        product_re[i] = ar[i] * br[i] + ai[i] * bi[i];
+                        product_im[i] = ai[i] * br[i] - ar[i] * bi[i];
+                    }
+                else
+                    for (std::size_t i = 0; i < size; ++i) {
+                        product_re[i] += ar[i] * br[i] + ai[i] * bi[i];
+                        product_im[i] += ai[i] * br[i] - ar[i] * bi[i];
+                    }
             }
             for (std::size_t bin = 0; bin < grid.bins; bin += kLanes) {
                 double sum_re[kLanes], sum_im[kLanes];

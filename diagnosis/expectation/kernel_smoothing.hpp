@@ -17,7 +17,8 @@ struct SmoothingGrid {
 };
 
 /// Adds ∫K(f − f′) y(f′)y(f′)ᴴ df′ of a rank-one source to `matrices`, [bin][column-major channels × channels].
-/// `responses` is [channel][fine line]; beyond the fine lines the source has nothing.
+/// `responses` is [rank][channel][fine line], and the products of all ranks add up; beyond the fine lines the source
+/// has nothing.
 void add_smoothed(const std::vector<std::complex<double>>& responses, std::size_t channels,
                   const recordings::KernelWeights& kernel, const SmoothingGrid& grid,
                   std::vector<std::complex<double>>& matrices);

@@ -33,6 +33,16 @@ bool differ(double a, double b, double ratio) {
     return std::max(a, b) > ratio * std::min(a, b);
 }
 
+/// d ln P/d ln f at a line, over a few per cent of its frequency; 0 where there is no power.
+double slope_at(const std::vector<double>& power, const FineGrid& grid, std::size_t line) {
+    constexpr double kReach = 0.03, kSteepest = 8.0;  // beyond is an edge of a band, which no power law describes
+    const auto reach = static_cast<std::size_t>(1.0 + kReach * grid.frequency(line) / grid.step_hz);
+    const std::size_t low = line > reach ? line - reach : 0, high = std::min(line + reach, grid.count - 1);
+    if (low == high || power[low] <= 0.0 || power[high] <= 0.0) return 0.0;
+    return std::clamp(std::log(power[high] / power[low]) / std::log(grid.frequency(high) / grid.frequency(low)),
+                      -kSteepest, kSteepest);
+}
+
 /// Two complex numbers.
 using Pair = double __attribute__((vector_size(4 * sizeof(double))));
 
@@ -96,19 +106,20 @@ std::vector<double> powers_at_lines(const pem::DelayedSpectrum& source, const Fi
 }
 
 MetPowers met_powers(const pem::CaseParameters& parameters, const pem::DelayedSpectrum& irregularity, double speed,
-                     const FineGrid& grid, const MetPowers* known) {
+                     const FineGrid& grid, const MetPowers* known, const SpeedMixture* speeds) {
     const double patch = parameters.contact.patch_half_length_m;
     if (known && known->at_lines.size() == grid.count && known->speed_m_per_s == speed &&
         known->patch_half_length_m == patch && known->irregularity == parameters.irregularity)
         return *known;
-    return {parameters.irregularity, patch, speed, powers_at_lines(irregularity, grid)};
+    return {parameters.irregularity, patch, speed,
+            powers_at_lines(speeds ? over_speeds(irregularity, *speeds) : irregularity, grid)};
 }
 
 std::vector<Complex> fine_responses(const pem::WheelTransfers& transfers, const pem::DelayedSpectrum& source,
                                     const std::vector<double>& power, const std::vector<double>& wheels, double speed,
-                                    const FineGrid& grid) {
-    const std::size_t channels = transfers.responses.size();
-    std::vector<Complex> y(channels * grid.count), at(channels * 4);
+                                    const FineGrid& grid, const SpeedMixture* speeds) {
+    const std::size_t channels = transfers.responses.size(), ranks = speeds ? 4 : 1;
+    std::vector<Complex> y(ranks * channels * grid.count), at(channels * 4);
     DelayPhases delays(wheels, speed, grid);
     for (std::size_t i = 0; i < grid.count; ++i) {
         const double f = grid.frequency(i), root = std::sqrt(power[i]);
@@ -120,10 +131,30 @@ std::vector<Complex> fine_responses(const pem::WheelTransfers& transfers, const 
             std::ranges::copy(source.under_wheels(f), e);
         else
             for (std::size_t j = 0; j < 4; ++j) e[j] = root * source.share[j] * delay[j];
+        if (speeds) {
+            const WheelCoherence factor = wheel_coherence(*speeds, wheels, speed, f, slope_at(power, grid, i));
+            for (std::size_t r = 0; r < ranks; ++r) {
+                Complex own[4];
+                for (std::size_t j = 0; j < 4; ++j) own[j] = e[j] * factor[j][r];
+                const Dot dot(own);
+                for (std::size_t c = 0; c < channels; ++c) y[(r * channels + c) * grid.count + i] = dot(&at[c * 4]);
+            }
+            continue;
+        }
         const Dot dot(e);
         for (std::size_t c = 0; c < channels; ++c) y[c * grid.count + i] = dot(&at[c * 4]);
     }
     return y;
+}
+
+pem::DelayedSpectrum over_speeds(const pem::DelayedSpectrum& source, const SpeedMixture& mixture) {
+    pem::DelayedSpectrum own = source;
+    own.psd_m2_per_hz = [spectrum = source.psd_m2_per_hz, nodes = mixture.nodes()](double f) {
+        double sum = 0.0;
+        for (const double deviation : nodes) sum += (1.0 + deviation) * spectrum(f * (1.0 + deviation));
+        return sum / static_cast<double>(nodes.size());
+    };
+    return own;
 }
 
 pem::WheelTransfers with_what_comes_back(const pem::WheelTransfers& transfers, const pem::FeltOrder& own) {
@@ -142,7 +173,7 @@ pem::WheelTransfers with_what_comes_back(const pem::WheelTransfers& transfers, c
 
 void for_each_felt(const pem::WheelTransfers& transfers, const std::vector<pem::FeltOrder>& felt,
                    const pem::DelayedSpectrum& source, const std::vector<double>& wheels, double speed, double bin_hz,
-                   const ExpectedSpectra& expected,
+                   const ExpectedSpectra& expected, const SpeedMixture* speeds,
                    const std::function<void(std::size_t, double, const std::vector<Complex>&)>& take) {
     const std::size_t size = expected.channels;
     std::vector<Complex> at(size * 4), y(size);
@@ -151,51 +182,72 @@ void for_each_felt(const pem::WheelTransfers& transfers, const std::vector<pem::
         pem::interpolate(transfers, f, at.data());
         for (std::size_t order = 1; order < felt.size(); ++order) {
             const std::array<Complex, 4> e = pem::felt_irregularity(felt, order, source, wheels, speed, f);
-            for (std::size_t c = 0; c < size; ++c)
-                y[c] = at[c * 4] * e[0] + at[c * 4 + 1] * e[1] + at[c * 4 + 2] * e[2] + at[c * 4 + 3] * e[3];
-            take(b, std::abs(f - felt[order].shift_hz), y);
+            const double from = std::abs(f - felt[order].shift_hz);
+            WheelCoherence factor{};
+            for (std::size_t j = 0; j < 4; ++j) factor[j][0] = 1.0;
+            if (speeds) factor = wheel_coherence(*speeds, wheels, speed, from, 0.0);
+            for (std::size_t r = 0; r < (speeds ? 4 : 1); ++r) {
+                for (std::size_t c = 0; c < size; ++c)
+                    y[c] = at[c * 4] * (e[0] * factor[0][r]) + at[c * 4 + 1] * (e[1] * factor[1][r]) +
+                           at[c * 4 + 2] * (e[2] * factor[2][r]) + at[c * 4 + 3] * (e[3] * factor[3][r]);
+                take(b, from, y);
+            }
         }
     }
 }
 
 void add_felt(const pem::WheelTransfers& transfers, const std::vector<pem::FeltOrder>& felt,
               const pem::DelayedSpectrum& source, const std::vector<double>& wheels, double speed, double bin_hz,
-              ExpectedSpectra& expected) {
+              const SpeedMixture* speeds, ExpectedSpectra& expected) {
     const std::size_t size = expected.channels;
-    for_each_felt(transfers, felt, source, wheels, speed, bin_hz, expected,
+    for_each_felt(transfers, felt, source, wheels, speed, bin_hz, expected, speeds,
                   [&](std::size_t b, double, const std::vector<Complex>& y) {
                       add_outer_product(y, expected.values.data() + b * size * size);
                   });
 }
 
-void add_lines(const pem::CaseParameters& parameters, const pem::WheelTransfers& transfers, const pem::LineSet& set,
-               const recordings::WindowKernel& kernel, ExpectedSpectra& expected) {
+namespace {
+
+/// Adds a share of a line's power where it stands, a Gaussian of `deviation` Hz (five-point Gauss–Hermite rule).
+void add_line(const pem::WheelTransfers& transfers, const pem::SpectralLine& line, double frequency, double deviation,
+              double share, const recordings::WindowKernel& kernel, ExpectedSpectra& expected) {
     constexpr double kNodes[5] = {-2.8569700138728, -1.3556261799742, 0.0, 1.3556261799742, 2.8569700138728};
     constexpr double kWeights[5] = {0.0112574113277, 0.2220759220056, 0.5333333333333, 0.2220759220056,
                                     0.0112574113277};
     const double bin = kernel.bin_hz();
     const std::size_t size = expected.channels;
+    const double first = static_cast<double>(expected.first_bin) * bin;
+    const double last = static_cast<double>(expected.first_bin + expected.bins()) * bin;
+    const double reach =
+        kExpectationSettings.kernel_reach_bins * bin + kExpectationSettings.line_reach_deviations * deviation;
+    if (frequency < first - reach || frequency > last + reach) return;
     std::vector<Complex> at(size * 4);
-    for (const pem::SpectralLine& line : set.lines) {
-        const double first = static_cast<double>(expected.first_bin) * bin;
-        const double last = static_cast<double>(expected.first_bin + expected.bins()) * bin;
-        const double deviation = parameters.running.speed_fluctuation * line.frequency_hz;
-        const double reach =
-            kExpectationSettings.kernel_reach_bins * bin + kExpectationSettings.line_reach_deviations * deviation;
-        if (line.frequency_hz < first - reach || line.frequency_hz > last + reach) continue;
-        pem::interpolate(transfers, line.frequency_hz, at.data());
-        Eigen::VectorXcd response = Eigen::VectorXcd::Zero(static_cast<long>(size));
-        for (std::size_t c = 0; c < size; ++c)
-            for (std::size_t j = 0; j < 4; ++j) response(static_cast<long>(c)) += at[c * 4 + j] * line.amplitude_m[j];
-        const Eigen::MatrixXcd power = 0.5 * response * response.adjoint();
-        for (std::size_t b = 0; b < expected.bins(); ++b) {
-            const double distance = static_cast<double>(expected.first_bin + b) * bin - line.frequency_hz;
-            if (std::abs(distance) > reach) continue;
-            double density = 0.0;
-            for (int k = 0; k < 5; ++k) density += kWeights[k] * kernel(distance - kNodes[k] * deviation);
-            expected.matrix(b) += density * power;
-        }
+    pem::interpolate(transfers, frequency, at.data());
+    Eigen::VectorXcd response = Eigen::VectorXcd::Zero(static_cast<long>(size));
+    for (std::size_t c = 0; c < size; ++c)
+        for (std::size_t j = 0; j < 4; ++j) response(static_cast<long>(c)) += at[c * 4 + j] * line.amplitude_m[j];
+    const Eigen::MatrixXcd power = 0.5 * share * response * response.adjoint();
+    for (std::size_t b = 0; b < expected.bins(); ++b) {
+        const double distance = static_cast<double>(expected.first_bin + b) * bin - frequency;
+        if (std::abs(distance) > reach) continue;
+        double density = 0.0;
+        for (int k = 0; k < 5; ++k) density += kWeights[k] * kernel(distance - kNodes[k] * deviation);
+        expected.matrix(b) += density * power;
     }
+}
+
+}  // namespace
+
+void add_lines(const pem::CaseParameters& parameters, const pem::WheelTransfers& transfers, const pem::LineSet& set,
+               const recordings::WindowKernel& kernel, const SpeedMixture* speeds, ExpectedSpectra& expected) {
+    const std::vector<double> one_speed(1, 0.0);
+    const std::vector<double>& nodes = speeds ? speeds->nodes() : one_speed;
+    for (const pem::SpectralLine& line : set.lines)
+        for (const double deviation : nodes) {
+            const double frequency = line.frequency_hz / (1.0 + deviation);
+            add_line(transfers, line, frequency, parameters.running.speed_fluctuation * frequency,
+                     1.0 / static_cast<double>(nodes.size()), kernel, expected);
+        }
 }
 
 void add_sensor_noise(const pem::CaseParameters& parameters, const std::vector<ObservedChannel>& channels,

@@ -22,14 +22,18 @@ std::vector<double> powers_at_lines(const pem::DelayedSpectrum& source, const Fi
 /// The same of the case's irregularity, which cases share that differ elsewhere: those of `known` if it is of the same,
 /// else anew.
 MetPowers met_powers(const pem::CaseParameters& parameters, const pem::DelayedSpectrum& irregularity,
-                     double speed_m_per_s, const FineGrid& grid, const MetPowers* known);
+                     double speed_m_per_s, const FineGrid& grid, const MetPowers* known,
+                     const SpeedMixture* speeds = nullptr);
 
-/// Pseudo-responses of one broadband source on the fine grid: [channel][fine line]. `power`: of the source at its
-/// lines, powers_at_lines().
+/// The source as windows of several speeds meet it: S(f·(1 + δ))·(1 + δ), mean over the deviations δ of their slowness.
+pem::DelayedSpectrum over_speeds(const pem::DelayedSpectrum& source, const SpeedMixture& mixture);
+
+/// Pseudo-responses of one broadband source on the fine grid: [rank][channel][fine line]. `power`: of the source at its
+/// lines, powers_at_lines(). One rank at one speed; four where `speeds` differ, whose products add up.
 std::vector<std::complex<double>> fine_responses(const pem::WheelTransfers& transfers,
                                                  const pem::DelayedSpectrum& source, const std::vector<double>& power,
                                                  const std::vector<double>& wheels_m, double speed_m_per_s,
-                                                 const FineGrid& grid);
+                                                 const FineGrid& grid, const SpeedMixture* speeds = nullptr);
 
 /// The transfers with what comes back at the frequency of the irregularity itself of the forces that supports pass on
 /// (the first of pem::felt_orders()).
@@ -40,19 +44,19 @@ pem::WheelTransfers with_what_comes_back(const pem::WheelTransfers& transfers, c
 /// is of, and the response of every channel.
 void for_each_felt(const pem::WheelTransfers& transfers, const std::vector<pem::FeltOrder>& felt,
                    const pem::DelayedSpectrum& source, const std::vector<double>& wheels_m, double speed_m_per_s,
-                   double bin_hz, const ExpectedSpectra& expected,
+                   double bin_hz, const ExpectedSpectra& expected, const SpeedMixture* speeds,
                    const std::function<void(std::size_t bin, double from_hz,
                                             const std::vector<std::complex<double>>& response)>& take);
 
 /// Adds all of it.
 void add_felt(const pem::WheelTransfers& transfers, const std::vector<pem::FeltOrder>& felt,
               const pem::DelayedSpectrum& source, const std::vector<double>& wheels_m, double speed_m_per_s,
-              double bin_hz, ExpectedSpectra& expected);
+              double bin_hz, const SpeedMixture* speeds, ExpectedSpectra& expected);
 
 /// Adds the lines of a set: each a Gaussian of the speed's fluctuation, smoothed by the kernel (five-point
 /// Gauss–Hermite rule).
 void add_lines(const pem::CaseParameters& parameters, const pem::WheelTransfers& transfers, const pem::LineSet& set,
-               const recordings::WindowKernel& kernel, ExpectedSpectra& expected);
+               const recordings::WindowKernel& kernel, const SpeedMixture* speeds, ExpectedSpectra& expected);
 
 /// Adds the noise that the case says its sensors add.
 void add_sensor_noise(const pem::CaseParameters& parameters, const std::vector<ObservedChannel>& channels,

@@ -115,11 +115,11 @@ std::array<Complex, 2> SpeedMixture::at(double cycles) const {
     return value;
 }
 
-std::array<std::array<Complex, 4>, 4> wheel_coherence(const SpeedMixture& mixture, const std::vector<double>& wheels,
-                                                      double speed, double frequency, double slope) {
+WheelCoherence wheel_coherence(const SpeedMixture& mixture, const std::vector<double>& wheels, double speed,
+                               double frequency, double slope) {
     // Σ w·(1 + δ)·S(f·(1 + δ)) is 1 + (1 + slope)·δ to first order, over its own mean.
     const double mean = 1.0 + (1.0 + slope) * mixture.at(0.0)[1].real();
-    std::array<std::array<Complex, 4>, 4> factor{};
+    WheelCoherence factor{};
     for (std::size_t j = 0; j < 4; ++j)
         for (std::size_t l = 0; l <= j; ++l) {
             // Wheel l meets a wave before wheel j does: d_j − d_l = x_l − x_j.

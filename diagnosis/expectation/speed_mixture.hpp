@@ -41,11 +41,11 @@ class SpeedMixture {
     std::vector<double> nodes_;
 };
 
+using WheelCoherence = std::array<std::array<std::complex<double>, 4>, 4>;
+
 /// Cholesky factor of the coherence matrix of four wheels, lower, row by row: e_j·factor[j][r] are the amplitudes of
 /// rank r under wheel j of a source whose amplitudes are e_j. `slope`: d ln S/d ln f of its power at f.
-std::array<std::array<std::complex<double>, 4>, 4> wheel_coherence(const SpeedMixture& mixture,
-                                                                   const std::vector<double>& wheels_m,
-                                                                   double speed_m_per_s, double frequency_hz,
-                                                                   double slope);
+WheelCoherence wheel_coherence(const SpeedMixture& mixture, const std::vector<double>& wheels_m, double speed_m_per_s,
+                               double frequency_hz, double slope);
 
 }  // namespace railpem::diagnosis

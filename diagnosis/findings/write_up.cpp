@@ -96,9 +96,10 @@ class WritingUp {
         const double deficit = result_.after.log_likelihood_per_second - result_.before.log_likelihood_per_second;
         const double removed = freely.log_likelihood_per_second - result_.before.log_likelihood_per_second;
         result_.hidden_by_retuning = deficit > 0.0 ? std::clamp(removed / deficit, 0.0, 1.0) : 1.0;
-        const Stages stages{&believed,           &before,
-                            &retuned_.fit.trial, &retuned_.fit.predictions,
-                            &named_.fit.trial,   &named_.fit.predictions};
+        std::optional<Predictions> made;
+        const Predictions& before_on_all = predictions_of(believed, before, context_, Part::all, made);
+        const Stages stages{&believed,         &before_on_all,         &retuned_.fit.trial, &retuned_.fit.predictions,
+                            &named_.fit.trial, &named_.fit.predictions};
         result_.channels = compare_channels(stages, observations_, Part::all);
         result_.mismatch = mismatches(retuned_.fit.trial, retuned_.fit.predictions, observations_, Part::all);
         for (Mismatch& mismatch : result_.mismatch)

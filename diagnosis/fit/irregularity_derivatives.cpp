@@ -49,7 +49,7 @@ struct Given {
     const pem::DelayedSpectrum& source;
     FineGrid grid;
     std::vector<double> power;  ///< at every line
-    Values responses;           ///< [channel][line]
+    Values responses;           ///< [rank][channel][line]
 };
 
 /// A weight at a fine line. Where a band begins or ends within the line's cell, the line's power is the mean over the
@@ -75,11 +75,12 @@ void add_weighted(const Given& given, const NodeWeight& weight, const recordings
     const std::size_t from = std::max(at.first_bin, low > reach ? (low - reach) / oversampling : 0),
                       to = std::min(at.first_bin + at.bins(), high / oversampling + 1);
     if (begin == end || from >= to) return;
-    Values part(channels * (end - begin));
+    const std::size_t rows = given.responses.size() / given.grid.count;
+    Values part(rows * (end - begin));
     for (std::size_t i = begin; i < end; ++i) {
         const double root = std::sqrt(weight_at(weight, given, i));
-        for (std::size_t c = 0; c < channels; ++c)
-            part[c * (end - begin) + i - begin] = root * given.responses[c * given.grid.count + i];
+        for (std::size_t row = 0; row < rows; ++row)
+            part[row * (end - begin) + i - begin] = root * given.responses[row * given.grid.count + i];
     }
     Values bins((to - from) * size, 0.0);
     add_smoothed(part, channels, kernel, {.first = low, .count = end - begin, .first_bin = from, .bins = to - from},
@@ -114,14 +115,17 @@ std::vector<Values> irregularity_derivatives(const Trial& trial, const std::vect
     const std::vector<double> wheels = vehicle::wheel_positions(parameters.vehicle);
     const pem::Excitation excitation = pem::excitation(parameters, wheels, speed, &known.track);
     const pem::DelayedSpectrum& irregularity = excitation.broadband.front();
-    const ExpectationOptions& options = observation.expectation;
+    const ExpectationOptions options = expectation_of(observation, context.part);
     const FineGrid grid = fine_grid(observation.kernel, at.first_bin, at.bins(), options.oversampling);
     const recordings::KernelWeights kernel = options.weights.weights.empty()
                                                  ? expectation_weights(observation.kernel, options.oversampling)
                                                  : options.weights;
-    const std::vector<double> at_lines = met_powers(parameters, irregularity, speed, grid, &known.powers).at_lines;
-    const Given given{irregularity, grid, at_lines,
-                      fine_responses(known.of_irregularity, irregularity, at_lines, wheels, speed, grid)};
+    const std::vector<double> at_lines =
+        met_powers(parameters, irregularity, speed, grid, &known.powers, options.speeds.get()).at_lines;
+    const pem::DelayedSpectrum met = options.speeds ? over_speeds(irregularity, *options.speeds) : irregularity;
+    const Given given{
+        met, grid, at_lines,
+        fine_responses(known.of_irregularity, irregularity, at_lines, wheels, speed, grid, options.speeds.get())};
     std::vector<NodeWeight> weights;
     std::vector<Values> result;
     for (const Unknown* unknown : unknowns) {
@@ -139,7 +143,8 @@ std::vector<Values> irregularity_derivatives(const Trial& trial, const std::vect
                     power[j * size + i] += weight * response[i] * std::conj(response[j]);
         }
     };
-    for_each_felt(known.transfers, known.felt, irregularity, wheels, speed, observation.kernel.bin_hz(), at, add);
+    for_each_felt(known.transfers, known.felt, irregularity, wheels, speed, observation.kernel.bin_hz(), at,
+                  options.speeds.get(), add);
     for (Values& values : result) scale_channels(trial.log_gain[o], values);
     return result;
 }

@@ -141,7 +141,8 @@ double part_log_likelihood(const Fit& fit, const LikelihoodContext& context, Par
     if (fit.predictions.spectra.empty()) return -std::numeric_limits<double>::infinity();
     LikelihoodContext other = context;
     other.part = part;
-    return log_likelihood(fit.trial, fit.predictions, other);
+    std::optional<Predictions> made;
+    return log_likelihood(fit.trial, predictions_of(fit.trial, fit.predictions, context, part, made), other);
 }
 
 bool has_members(const FittedSet& set, const std::vector<Candidate>& effects,

@@ -2,16 +2,27 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include "diagnosis/judge/compare_channels.hpp"
 
 namespace railpem::diagnosis {
 
-double repeated_level_db(const Fit& fit, const std::vector<Observation>& observations) {
-    const Stages same{&fit.trial, &fit.predictions, &fit.trial, &fit.predictions, &fit.trial, &fit.predictions};
-    const std::vector<ChannelComparison> seen = compare_channels(same, observations, Part::fitted),
-                                         unseen = compare_channels(same, observations, Part::held_out);
+namespace {
+
+std::vector<ChannelComparison> levels_of(const Fit& fit, const LikelihoodContext& context, Part part) {
+    std::optional<Predictions> made;
+    const Predictions& own = predictions_of(fit.trial, fit.predictions, context, part, made);
+    return compare_channels({&fit.trial, &own, &fit.trial, &own, &fit.trial, &own}, *context.observations, part);
+}
+
+}  // namespace
+
+double repeated_level_db(const Fit& fit, const LikelihoodContext& context) {
+    const std::vector<Observation>& observations = *context.observations;
+    const std::vector<ChannelComparison> seen = levels_of(fit, context, Part::fitted),
+                                         unseen = levels_of(fit, context, Part::held_out);
     const auto is_series = [&](const std::string& name) {
         return std::any_of(observations.begin(), observations.end(),
                            [&](const Observation& own) { return !own.scalar && own.name == name; });

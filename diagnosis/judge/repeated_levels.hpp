@@ -11,6 +11,6 @@ namespace railpem::diagnosis {
 /// part, over all channels and bands of time series in which both say something: what chance makes of either part, more
 /// where records are short, is not repeated by the other. 0 where they differ with opposite signs, and without any time
 /// series.
-double repeated_level_db(const Fit& fit, const std::vector<Observation>& observations);
+double repeated_level_db(const Fit& fit, const LikelihoodContext& context);
 
 }  // namespace railpem::diagnosis

@@ -184,7 +184,7 @@ ExpectedSpectra predict_one(const Trial& trial, const LikelihoodContext& context
     if (!observation.scalar) {
         ExpectedSpectra spectra =
             expected_spectra(parameters, trial.speed_m_per_s[o], observation.kernel, observation.channels, {},
-                             observation.expectation, known, reuse, filled);
+                             expectation_of(observation, context.part), known, reuse, filled);
         scale_channels(trial.log_gain[o], spectra.values);
         return spectra;
     }
@@ -215,6 +215,18 @@ Predictions predict(const Trial& trial, const LikelihoodContext& context) {
         }
     if (failure) std::rethrow_exception(failure);
     return predictions;
+}
+
+const Predictions& predictions_of(const Trial& trial, const Predictions& known, const LikelihoodContext& context,
+                                  Part part, std::optional<Predictions>& made) {
+    const auto differs = [&](const Observation& own) {
+        return measured(own, context.part).speeds != measured(own, part).speeds;
+    };
+    if (part == context.part || std::none_of(context.observations->begin(), context.observations->end(), differs))
+        return known;
+    LikelihoodContext other = context;
+    other.part = part;
+    return made.emplace(predict(trial, other));
 }
 
 namespace {

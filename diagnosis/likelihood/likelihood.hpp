@@ -2,6 +2,7 @@
 // How well a trial explains the cross-spectral matrices, and how that changes with every unknown.
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "diagnosis/likelihood/likelihood_context.hpp"
@@ -15,6 +16,11 @@ ExpectedSpectra predict_one(const Trial& trial, const LikelihoodContext& context
 
 /// Predictions of a trial; observations in parallel.
 Predictions predict(const Trial& trial, const LikelihoodContext& context);
+
+/// Those of another part of the recordings than the `known` ones, which are of `context.part`: in it windows may have
+/// been run at other speeds. `made` holds them where they are.
+const Predictions& predictions_of(const Trial& trial, const Predictions& known, const LikelihoodContext& context,
+                                  Part part, std::optional<Predictions>& made);
 
 /// The same from what the predictions of a similar trial may share, as far as they have it.
 ExpectedSpectra predict_like(const Predictions& similar, const Trial& trial, const LikelihoodContext& context,

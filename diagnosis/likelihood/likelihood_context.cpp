@@ -15,4 +15,10 @@ const MeasuredSpectra& measured(const Observation& observation, Part part) {
     return part == Part::fitted ? observation.fitted : part == Part::held_out ? observation.held_out : observation.all;
 }
 
+ExpectationOptions expectation_of(const Observation& observation, Part part) {
+    ExpectationOptions options = observation.expectation;
+    options.speeds = measured(observation, part).speeds;
+    return options;
+}
+
 }  // namespace railpem::diagnosis

@@ -70,6 +70,9 @@ struct LikelihoodContext {
 /// The likelihood on every second bin of the coarse observations, blunted by a relative floor.
 LikelihoodContext blunted(const LikelihoodContext& context, double floor);
 
+/// How the expectation of a part of an observation is computed: at the speeds of its windows.
+ExpectationOptions expectation_of(const Observation& observation, Part part);
+
 /// The measured spectra of the part in question.
 const MeasuredSpectra& measured(const Observation& observation, Part part);
 

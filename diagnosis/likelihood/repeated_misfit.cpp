@@ -18,19 +18,16 @@ Eigen::MatrixXcd seen_through(const Eigen::LLT<Eigen::MatrixXcd>& factor, const 
     return factor.matrixL().solve(half.adjoint().eval());
 }
 
-/// tr(R₁R₂) of a bin, perpendicular to its power.
-double repeated(const Eigen::MatrixXcd& model, const Eigen::VectorXd& noise, const Eigen::MatrixXcd& fitted,
-                const Eigen::MatrixXcd& held_out) {
+/// What a bin of one part is beyond its model, whitened, perpendicular to its power.
+Eigen::MatrixXcd residual(const Eigen::MatrixXcd& model, const Eigen::VectorXd& noise,
+                          const Eigen::MatrixXcd& estimate) {
     const Eigen::LLT<Eigen::MatrixXcd> factor(model);
     const Eigen::MatrixXcd one = Eigen::MatrixXcd::Identity(model.rows(), model.cols());
     const Eigen::MatrixXcd scale = one - seen_through(factor, noise.cast<std::complex<double>>().asDiagonal());
     const double length = scale.squaredNorm();
-    const auto residual = [&](const Eigen::MatrixXcd& estimate) {
-        Eigen::MatrixXcd own = seen_through(factor, estimate) - one;
-        if (length > 0.0) own -= scale * (scale.cwiseProduct(own.conjugate()).sum().real() / length);
-        return own;
-    };
-    return residual(fitted).cwiseProduct(residual(held_out).conjugate()).sum().real();
+    Eigen::MatrixXcd own = seen_through(factor, estimate) - one;
+    if (length > 0.0) own -= scale * (scale.cwiseProduct(own.conjugate()).sum().real() / length);
+    return own;
 }
 
 double median_of(std::vector<double> values) {
@@ -52,6 +49,8 @@ double spread_of_sum(const std::vector<double>& blocks) {
 
 RepeatedMisfit repeated_misfit(const Trial& trial, const Predictions& predictions, const LikelihoodContext& context) {
     RepeatedMisfit total;
+    std::optional<Predictions> made;
+    const Predictions& unseen = predictions_of(trial, predictions, context, Part::held_out, made);
     double variance = 0.0;
     for (std::size_t o = 0; o < context.observations->size(); ++o) {
         const Observation& observation = (*context.observations)[o];
@@ -67,9 +66,11 @@ RepeatedMisfit repeated_misfit(const Trial& trial, const Predictions& prediction
                 return Eigen::Map<const Eigen::MatrixXcd>(&part.values[bin * static_cast<std::size_t>(size * size)],
                                                           size, size);
             };
-            const double nats = 0.5 * averages *
-                                repeated(complete_prediction(trial, observation, o, predictions[o], bin), noise,
-                                         matrix(fitted), matrix(held_out));
+            const Eigen::MatrixXcd first = residual(complete_prediction(trial, observation, o, predictions[o], bin),
+                                                    noise, matrix(fitted)),
+                                   second = residual(complete_prediction(trial, observation, o, unseen[o], bin), noise,
+                                                     matrix(held_out));
+            const double nats = 0.5 * averages * first.cwiseProduct(second.conjugate()).sum().real();
             if (const double at = std::floor(observation.frequency(bin) / kLikelihoodSettings.block_hz); at != block)
                 block = at, blocks.push_back(0.0);
             blocks.back() += nats;

@@ -20,6 +20,7 @@ struct MeasuredSpectra {
     std::vector<double> log_determinant;       ///< per bin; 0 where the averages are too few for one
     double averages = 0.0;                     ///< effective number per bin when all bins are used together
     double seconds = 0.0;
+    std::shared_ptr<const SpeedMixture> speeds;  ///< of its windows; none: one speed
 };
 
 /// One recording: a vehicle at one speed and load (time series and spectra), or the track alone.

@@ -16,6 +16,12 @@ struct ObservationSettings {
     double held_out_share = 0.25;
     /// relative standard deviation of a stated speed without a standard error. Chosen; not calibrated
     double speed_tolerance = 0.005;
+    /// share of the weighted phases that a speed read from delays has to explain. Chosen: a third of what a sound
+    /// record has
+    double least_speed_agreement = 0.3;
+    /// relative rms of a speed that counts as one speed: it costs 2e-4 of the coherence of wheels 160 cycles apart.
+    /// Judged on records of constant speed, of which axle boxes read 3e-6 and bogies alone 1.2e-5
+    double least_speed_change = 2e-5;
     /// bins of a usable band. Chosen; not calibrated
     std::size_t fewest_bins = 20;
     /// a band ends this much inside of what the irregularity excites. Chosen; not calibrated

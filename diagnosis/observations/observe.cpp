@@ -4,12 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "diagnosis/observations/channel_scales.hpp"
 #include "diagnosis/observations/held_distortion.hpp"
 #include "parameters/parameter_error.hpp"
 #include "recordings/estimates/cross_spectra.hpp"
+#include "recordings/estimates/running_speed.hpp"
 #include "recordings/stated_speed.hpp"
+#include "vehicle/vehicle_parameters.hpp"
 
 namespace railpem::diagnosis {
 
@@ -38,9 +41,41 @@ double quiet_level(const recordings::CrossSpectra& spectra, std::size_t channel)
     return std::max(values[quiet], 1e-30);
 }
 
-/// Spectra of all parts of a recording in windows of one length.
+recordings::VehicleGeometry geometry_of(const vehicle::VehicleParameters& vehicle) {
+    const std::vector<double> wheels = vehicle::wheel_positions(vehicle);
+    recordings::VehicleGeometry geometry;
+    std::copy(wheels.begin(), wheels.end(), geometry.wheels_m.begin());
+    geometry.bogies_m = {0.5 * vehicle.bogie_distance_m, -0.5 * vehicle.bogie_distance_m};
+    return geometry;
+}
+
+/// The speed as a function of time where the channels say it and it changes; its mean is as `stated`.
+std::optional<recordings::RunningSpeed> changing_speed(const recordings::TimeSeries& series,
+                                                       const pem::CaseParameters& believed, double stated) {
+    std::optional<recordings::RunningSpeed> running =
+        recordings::running_speed(series, geometry_of(believed.vehicle), stated);
+    if (!running || running->agreement < kObservationSettings.least_speed_agreement) return std::nullopt;
+    std::vector<double>& speeds = running->path.speed_m_per_s;
+    double mean = 0.0, variance = 0.0;
+    for (const double v : speeds) mean += v / static_cast<double>(speeds.size());
+    for (const double v : speeds) variance += std::pow(v / mean - 1.0, 2) / static_cast<double>(speeds.size());
+    const double least = std::max(kObservationSettings.least_speed_change, 2.0 * running->relative_error);
+    if (variance < least * least) return std::nullopt;
+    return running;
+}
+
+/// Cycles between the outermost wheels at the end of a band.
+double most_cycles(const pem::CaseParameters& believed, double high_hz, double speed) {
+    const std::vector<double> wheels = vehicle::wheel_positions(believed.vehicle);
+    const auto [rear, front] = std::minmax_element(wheels.begin(), wheels.end());
+    constexpr double kSpare = 1.3;  // fine lines reach beyond the band, and a fit moves the speed
+    return kSpare * (high_hz + 5.0) * (*front - *rear) / speed;
+}
+
+/// Spectra of all parts of a recording in windows of one length. `running`: its speed, where that changes.
 Observation windowed(const recordings::Recording& recording, Observation observation,
-                     const pem::CaseParameters& believed, const ObservationOptions& options, double window_s) {
+                     const pem::CaseParameters& believed, const ObservationOptions& options, double window_s,
+                     const std::optional<recordings::RunningSpeed>& running) {
     const recordings::TimeSeries& series = recording.series;
     const double held_from = series.duration_s() * (1.0 - options.held_out_share);
     const recordings::SegmentOptions segments{.window_s = window_s};
@@ -59,9 +94,14 @@ Observation windowed(const recordings::Recording& recording, Observation observa
         recordings::SegmentOptions own = segments;
         own.from_s = from;
         own.to_s = to;
-        MeasuredSpectra measured =
-            kept(recordings::estimate_cross_spectra(series, own), observation.channels, observation.first_bin(), bins);
+        const recordings::CrossSpectra spectra = recordings::estimate_cross_spectra(series, own);
+        MeasuredSpectra measured = kept(spectra, observation.channels, observation.first_bin(), bins);
         measured.seconds = std::min(to, series.duration_s()) - from;
+        if (running)
+            measured.speeds = std::make_shared<const SpeedMixture>(
+                running->path, spectra.segments, series.sampling_rate_hz, from, observation.speed_m_per_s,
+                running->relative_error,
+                most_cycles(believed, observation.expectation.high_hz, observation.speed_m_per_s));
         return measured;
     };
     observation.all = part(0.0, 1e300);
@@ -78,11 +118,12 @@ Observation windowed(const recordings::Recording& recording, Observation observa
 /// The same in short windows, where they hold bins enough.
 std::shared_ptr<const Observation> coarse_of(const recordings::Recording& recording, const Observation& head,
                                              const Observation& fine, const pem::CaseParameters& believed,
-                                             const ObservationOptions& options) {
+                                             const ObservationOptions& options,
+                                             const std::optional<recordings::RunningSpeed>& running) {
     if (static_cast<double>(fine.bins()) * options.coarse_window_s <
         static_cast<double>(kObservationSettings.fewest_bins) * options.window_s)
         return {};
-    Observation coarse = windowed(recording, head, believed, options, options.coarse_window_s);
+    Observation coarse = windowed(recording, head, believed, options, options.coarse_window_s, running);
     coarse.expectation.transfer_step_hz = kObservationSettings.coarse_transfer_step_hz;
     coarse.expectation.rail_every =
         static_cast<int>(kExpectationSettings.rail_step_hz / kObservationSettings.coarse_transfer_step_hz);
@@ -101,10 +142,13 @@ Observation observe(const recordings::Recording& recording, const std::string& n
     Observation head{.name = name, .speed_m_per_s = speed.m_per_s, .payload_kg = recording.description.payload_kg};
     head.speed_tolerance =
         speed.standard_error > 0.0 ? speed.standard_error / speed.m_per_s : kObservationSettings.speed_tolerance;
-    Observation observation = windowed(recording, head, believed, options, options.window_s);
+    const std::optional<recordings::RunningSpeed> running =
+        changing_speed(recording.series, believed, head.speed_m_per_s);
+    if (running) head.speed_m_per_s = running->path.mean_m_per_s();
+    Observation observation = windowed(recording, head, believed, options, options.window_s, running);
     hold_contact_distortion(observation, believed);
     guess_scales(observation, believed);
-    observation.coarse = coarse_of(recording, head, observation, believed, options);
+    observation.coarse = coarse_of(recording, head, observation, believed, options, running);
     return observation;
 }
 

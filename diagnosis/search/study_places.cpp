@@ -32,7 +32,7 @@ void study_named(const Inquiry& inquiry, NamingResult& naming, PlaceStudy& study
     restore_caches(best.fit, inquiry.context);
     restore_derivatives(best.fit, inquiry.context);
     study.by_named = missed_by(best.fit, inquiry.context);
-    study.named_level_db = repeated_level_db(best.fit, inquiry.observations);
+    study.named_level_db = repeated_level_db(best.fit, inquiry.context);
     study.by_recording = constancy(best.fit, inquiry.context);
     if (names_friction(best)) study.friction = friction_law(best.fit, inquiry.context);
     if (best.score() > naming.retuned.score() + gain_asked(best, inquiry.thresholds))

@@ -242,13 +242,15 @@ RunningSpeed refined(const std::vector<std::vector<double>>& samples, const std:
     std::vector<std::vector<double>> weights;
     for (const SpeedPair& pair : pairs) {
         laid.push_back(laid_windows(samples[pair.front], samples[pair.rear], pair, path, rate, options));
-        if (laid.back().empty()) return {path, 0.0, 0};
+        if (laid.back().empty()) return {path};
         weights.push_back(wave_weights(laid.back(), pair.distance_m(), std::vector<double>(laid.back().size(), 0.0)));
     }
     std::size_t windows = laid.front().size();
     for (const std::vector<LaidWindow>& own : laid) windows = std::min(windows, own.size());
     std::vector<double> time, speed;
-    double scatter = 0.0;
+    double scatter = 0.0, explained = 0.0, total = 0.0;
+    for (const std::vector<double>& own : weights)
+        for (const double weight : own) total += weight * static_cast<double>(windows);
     for (std::size_t w = 0; w < windows; ++w) {
         const auto score = [&](std::size_t p, double error) {
             return phase_score(laid[p][w], weights[p], pairs[p].distance_m(), error);
@@ -263,6 +265,7 @@ RunningSpeed refined(const std::vector<std::vector<double>>& samples, const std:
         double when = 0.0;
         for (std::size_t p = 0; p < pairs.size(); ++p) {
             when += laid[p][w].time_s / static_cast<double>(pairs.size());
+            explained += score(p, error);
             if (pairs.size() < 2) continue;
             const double own = top_of([&](double e) { return score(p, error + e); }, 0.1 * range, 8);
             scatter += own * own / static_cast<double>((pairs.size() - 1) * pairs.size());
@@ -270,9 +273,12 @@ RunningSpeed refined(const std::vector<std::vector<double>>& samples, const std:
         time.push_back(when);
         speed.push_back(path.speed_at(when) * (1.0 + error));
     }
+    constexpr double kSinglePair = 2e-5;  // what two bogies alone scatter by at constant speed
     const double end_s = path.step_s * static_cast<double>(path.speed_m_per_s.size() - 1);
-    return {track_path(time, speed, options.hop_s, end_s), std::sqrt(scatter / static_cast<double>(windows)),
-            pairs.size()};
+    return {.path = track_path(time, speed, options.hop_s, end_s),
+            .relative_error = pairs.size() < 2 ? kSinglePair : std::sqrt(scatter / static_cast<double>(windows)),
+            .agreement = total > 0.0 ? explained / total : 0.0,
+            .pairs = pairs.size()};
 }
 
 }  // namespace

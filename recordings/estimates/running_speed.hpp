@@ -14,7 +14,9 @@ namespace railpem::recordings {
 struct RunningSpeed {
     TrackPath path;
     double relative_error = 0.0;  ///< standard deviation of the speed of one window by chance
-    std::size_t pairs = 0;        ///< of channels that it was read from
+    /// share of the weighted phases that it explains, mean over windows: 1 without noise and coupling
+    double agreement = 0.0;
+    std::size_t pairs = 0;  ///< of channels that it was read from
 };
 
 /// How it is read. Windows are long enough for a phase to be known, and short beside the seconds in which a train

@@ -6,6 +6,10 @@
 
 namespace railpem::recordings {
 
+double TrackPath::mean_m_per_s() const {
+    return distance_m.back() / (step_s * static_cast<double>(speed_m_per_s.size() - 1));
+}
+
 double TrackPath::speed_at(double time) const {
     const double place = std::clamp(time / step_s, 0.0, static_cast<double>(speed_m_per_s.size() - 1));
     const auto i = std::min(static_cast<std::size_t>(place), speed_m_per_s.size() - 2);

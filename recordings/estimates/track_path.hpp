@@ -12,6 +12,7 @@ struct TrackPath {
     std::vector<double> speed_m_per_s;  ///< at i·step_s, all positive
     std::vector<double> distance_m;     ///< there; 0 at time 0
 
+    double mean_m_per_s() const;  ///< over the time that it is known
     double speed_at(double time_s) const;
     double distance_at(double time_s) const;
     /// The inverse of distance_at(), s.
