@@ -10,6 +10,7 @@
 #include "app/schema/recording_schema.hpp"
 #include "app/schema/sweep_schema.hpp"
 #include "app/verbs/verbs.hpp"
+#include "diagnosis/effects/effect.hpp"
 
 namespace railpem::app {
 
