@@ -1,11 +1,13 @@
+#include "effects/describe_effects.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <cmath>
 
-#include "diagnosis/effects/effect.hpp"
+#include "effects/catalogue.hpp"
 
-namespace railpem::diagnosis {
+namespace railpem::effects {
 
 namespace {
 
@@ -38,13 +40,11 @@ std::string cell(std::string text) {
     return text;
 }
 
-std::string elements_text(const Effect& effect) {
-    std::vector<std::string> names;
-    for (const Element element : effect.elements) names.push_back(element_name(element));
-    return effect.elements.size() > 2 ? "where the value belongs" : fmt::format("{}", fmt::join(names, " or "));
+std::string elements_text(const EffectDescription& effect) {
+    return place_text(effect, "where the value belongs");
 }
 
-std::string bands_text(const Effect& effect) {
+std::string bands_text(const EffectDescription& effect) {
     std::vector<std::string> bands;
     for (const Band& band : effect.bands) bands.push_back(fmt::format("{:g}–{:g} Hz", band.low_hz, band.high_hz));
     return fmt::format("{}", fmt::join(bands, ", "));
@@ -68,7 +68,7 @@ std::string parameter_text(const EffectParameter& parameter) {
                        parameter.low, parameter.high, parameter.typical, prior, cell(parameter.says), fades);
 }
 
-std::string effect_text(const Effect& effect) {
+std::string effect_text(const EffectDescription& effect) {
     std::string page = fmt::format("## `{}`\n\nLeft out: {}.\n\n", effect.id, effect.says);
     page += "| parameter | unit | range | typical | prior | what it is |\n|---|---|---|---|---|---|\n";
     for (const EffectChoice& choice : effect.choices) page += choice_text(choice);
@@ -84,14 +84,15 @@ std::string effect_text(const Effect& effect) {
 }  // namespace
 
 std::string describe_effects() {
-    std::string page = kIntroduction;
+    std::string page = kIntroduction, effects;
     page += "| effect | what was left out | place |\n|---|---|---|\n";
-    for (const Effect& effect : effects())
+    for (const EffectDescription& effect : catalogue()) {
+        if (effect.only_simulated) continue;
         page += fmt::format("| [`{0}`](#{0}) | {1} | {2} |\n", effect.id, cell(effect.says), elements_text(effect));
-    page += "\n";
-    for (const Effect& effect : effects()) page += effect_text(effect);
-    page.pop_back();
-    return page;
+        effects += effect_text(effect);
+    }
+    effects.pop_back();
+    return page + "\n" + effects;
 }
 
-}  // namespace railpem::diagnosis
+}  // namespace railpem::effects
