@@ -82,6 +82,9 @@ parameters::Fields<DecayRateReference> decay_rate_reference_fields();
 parameters::Fields<FrequencyParameters> frequency_fields();
 parameters::Fields<SolverParameters> solver_fields();
 
+/// Frequency lines of the grid, Hz.
+std::vector<double> frequency_lines(const FrequencyParameters& grid);
+
 /// The static load of one wheel, N: the stated one, or a quarter of half the weight of the vehicle with its payload.
 double wheel_load_n(const CaseParameters& parameters);
 

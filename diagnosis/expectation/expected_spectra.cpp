@@ -14,9 +14,8 @@
 #include "diagnosis/expectation/kernel_smoothing.hpp"
 #include "diagnosis/expectation/source_spectra.hpp"
 #include "pem/coupling/excitation.hpp"
+#include "pem/coupling/excite.hpp"
 #include "pem/coupling/linearise.hpp"
-#include "pem/coupling/sensor_chain.hpp"
-#include "pem/coupling/solution.hpp"
 #include "pem/coupling/wheel_transfers.hpp"
 
 namespace railpem::diagnosis {

@@ -6,7 +6,7 @@
 
 #include "diagnosis/expectation/expectation_settings.hpp"
 #include "pem/coupling/sensor_chain.hpp"
-#include "pem/coupling/solution.hpp"
+#include "pem/response_names.hpp"
 
 namespace railpem::diagnosis {
 

@@ -10,7 +10,7 @@
 #include <type_traits>
 
 #include "diagnosis/observations/shows.hpp"
-#include "pem/coupling/solution.hpp"
+#include "pem/response_names.hpp"
 
 namespace railpem::diagnosis {
 

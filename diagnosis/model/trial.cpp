@@ -10,7 +10,7 @@
 #include "diagnosis/observations/measured_irregularity.hpp"
 #include "diagnosis/observations/shows.hpp"
 #include "pem/contact.hpp"
-#include "pem/coupling/solution.hpp"
+#include "pem/response_names.hpp"
 
 namespace railpem::diagnosis {
 

@@ -5,7 +5,8 @@
 #include <utility>
 
 #include "pem/contact.hpp"
-#include "pem/coupling/solution.hpp"
+#include "pem/rail/case_equilibrium.hpp"
+#include "pem/rail/make_rail.hpp"
 
 namespace railpem::pem {
 
@@ -14,7 +15,7 @@ using lanes::Complex;
 CoupledModel coupled_model(const CaseParameters& parameters, double speed_m_per_s) {
     const track::StaticEquilibrium equilibrium = case_equilibrium(parameters);
     CoupledModel model = coupled_model(
-        parameters, rail_model(parameters, vehicle::wheel_positions(parameters.vehicle), equilibrium, speed_m_per_s));
+        parameters, make_rail(parameters, vehicle::wheel_positions(parameters.vehicle), equilibrium, speed_m_per_s));
     if (parameters.track.pads.preload_strength > 0.0) model.warnings = equilibrium.warnings;
     return model;
 }

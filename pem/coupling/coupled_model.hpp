@@ -9,6 +9,7 @@
 #include "lanes/complex_lanes.hpp"
 #include "pem/case_parameters.hpp"
 #include "pem/rail/rail_model.hpp"
+#include "pem/wheel_matrix.hpp"
 #include "vehicle/half_vehicle.hpp"
 
 namespace railpem::pem {
@@ -29,9 +30,6 @@ CoupledModel coupled_model(const CaseParameters& parameters, double speed_m_per_
 /// The same on the `rail` of a case whose track, speed and wheels are the same, and its load where that stiffens the
 /// pads. Without warnings.
 CoupledModel coupled_model(const CaseParameters& parameters, std::shared_ptr<const RailModel> rail);
-
-using WheelVector = std::array<lanes::Complex, 4>;
-using WheelMatrix = std::array<WheelVector, 4>;  ///< [row][column]
 
 /// One group of lines solved: contact forces per unit irregularity, and the receptances they act through.
 struct GroupSolution {

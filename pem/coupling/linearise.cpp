@@ -5,7 +5,6 @@
 
 #include "pem/angular_frequency.hpp"
 #include "pem/contact.hpp"
-#include "pem/coupling/solution.hpp"
 #include "pem/coupling/wheel_transfers.hpp"
 #include "pem/gaussian_mean.hpp"
 #include "track/statics/anderson_mixing.hpp"

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "pem/response_names.hpp"
+
 namespace railpem::pem {
 
 namespace {
@@ -10,15 +12,6 @@ namespace {
 constexpr double kNoiseFrom = 0.5, kNoiseTo = 500.0, kNoiseReference = 10.0;  // Hz
 
 }  // namespace
-
-std::string measured_response(const std::string& channel) {
-    std::string where = channel;
-    if (channel.starts_with("axlebox_")) where = "wheel_" + channel.substr(8);
-    if (channel == "body_centre") where = "body";
-    for (const ResponseName& name : response_names())
-        if (name.where == where && name.quantity == Quantity::acceleration) return where;
-    return {};
-}
 
 std::complex<double> sensor_transfer(const SensorParameters& sensor, double frequency_hz) {
     std::complex<double> transfer =

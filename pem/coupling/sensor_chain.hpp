@@ -9,10 +9,6 @@
 
 namespace railpem::pem {
 
-/// Response that a channel measures: axlebox_n is wheel_n, body_centre is body, the others bear the same name.
-/// Empty when there is no such channel.
-std::string measured_response(const std::string& channel);
-
 /// Complex factor of gain, mounting resonance and delay: g·e^{−iωτ}/(1 − (f/f_m)² + 2iζf/f_m), times the sensor's
 /// correction.
 std::complex<double> sensor_transfer(const SensorParameters& sensor, double frequency_hz);

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "pem/angular_frequency.hpp"
-#include "pem/rail/rail_model.hpp"
+#include "pem/rail/case_equilibrium.hpp"
 #include "pem/threads.hpp"
 #include "track/rail/decay_rate.hpp"
 #include "track/rail/exact_rail.hpp"

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pem/coupling/solution.hpp"
 #include "pem/coupling/wheel_transfers.hpp"
+#include "pem/response_names.hpp"
 #include "track/statics/seat_stiffness.hpp"
 
 namespace railpem::pem {

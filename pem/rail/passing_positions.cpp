@@ -3,7 +3,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "pem/rail/rail_model.hpp"
+#include "pem/rail/case_equilibrium.hpp"
 #include "track/rail/exact_rail.hpp"
 
 namespace railpem::pem {

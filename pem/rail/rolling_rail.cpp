@@ -5,6 +5,8 @@
 #include <optional>
 #include <utility>
 
+#include "pem/rail/case_equilibrium.hpp"
+#include "pem/rail/exact_rails.hpp"
 #include "track/rail/mean_seats.hpp"
 #include "track/rail/rolling_receptance.hpp"
 #include "track/statics/moving_equilibrium.hpp"

@@ -8,6 +8,7 @@
 #include "pem/contact.hpp"
 #include "pem/coupling/coupled_model.hpp"
 #include "pem/coupling/sensor_chain.hpp"
+#include "pem/response_names.hpp"
 #include "tests/unit/lanes/in_turn.hpp"
 #include "tests/verification/pem/paper_case.hpp"
 
