@@ -106,13 +106,6 @@ Fields<SensorParameters> sensor_fields() {
     };
 }
 
-double WheelsOwn::at(double frequency) const {
-    double own = 0.0;
-    for (std::size_t node = 0; node < frequency_hz.size(); ++node)
-        own += vehicle::ForceSpectrum::weight(frequency_hz, node, frequency) * share[node];
-    return own;
-}
-
 std::vector<double> frequency_lines(const FrequencyParameters& grid) {
     // A step that divides the range up to rounding reaches the end of it.
     const std::size_t steps =

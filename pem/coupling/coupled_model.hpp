@@ -19,8 +19,8 @@ struct CoupledModel {
     vehicle::HalfVehicle car;
     std::shared_ptr<const RailModel> rail;
     std::vector<double> wheels_m;                ///< positions of the wheels, front first
-    std::array<double, 4> contact_compliance{};  ///< 1/K_h per wheel without the correction, m/N
-    lanes::FactorCurve contact_correction;       ///< of K_h, as in ContactParameters
+    std::array<double, 4> contact_compliance{};  ///< 1/K_h per wheel without its factor, m/N
+    lanes::FactorCurve contact_factor;           ///< on K_h, Modifiers::contact
     std::vector<std::string> warnings;
 };
 

@@ -96,7 +96,7 @@ Solution solve_case(const CaseParameters& parameters, double speed_m_per_s, cons
             });
     }
     failure.rethrow();
-    apply_sensors(parameters.sensors, solution);
+    apply_sensors(parameters, solution);
     return solution;
 }
 

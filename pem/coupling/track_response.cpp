@@ -37,8 +37,9 @@ TrackResponse track_response(const CaseParameters& parameters, const std::vector
         points = track::decay_rate_positions_m(spacing);
         for (double& point : points) point += 0.5 * spacing;
     }
-    const track::ExactRail pad_rail = track::uniform_rail(parameters.track, {0.0}, stiffness);
-    const track::ExactRail rail = track::uniform_rail(parameters.track, points, stiffness);
+    const track::ExactRail pad_rail =
+        track::uniform_rail(parameters.track, {0.0}, stiffness, parameters.modifiers.track);
+    const track::ExactRail rail = track::uniform_rail(parameters.track, points, stiffness, parameters.modifiers.track);
 
     TrackResponse response;
     const std::size_t lines = frequency_hz.size();

@@ -51,7 +51,7 @@ class ExactEvaluator : public RailEvaluator {
         track::SupportLaw law;
         track::BlochWaves waves;
         UniformTrack(const track::ExactRail& rail, lanes::Real omega)
-            : law(rail.pads, rail.support, omega), waves(track::bloch_waves(rail, omega, law)) {}
+            : law(rail.pads, rail.support, omega, rail.modifiers), waves(track::bloch_waves(rail, omega, law)) {}
     };
 
     const track::RailReceptance& at(std::size_t i, lanes::Real omega) {

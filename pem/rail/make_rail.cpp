@@ -13,9 +13,10 @@ std::unique_ptr<RailModel> make_rail(const CaseParameters& parameters, const std
     if (exact && rolls) return rolling_rail(parameters, wheels_m, speed_m_per_s);
     std::unique_ptr<RailModel> standing;
     if (exact)
-        standing = exact_rails({track::exact_rail(parameters.track, wheels_m, equilibrium)});
+        standing =
+            exact_rails({track::exact_rail(parameters.track, wheels_m, equilibrium, parameters.modifiers.track)});
     else
-        standing = modal_rail_model(parameters.track, wheels_m, parameters.solver.modes, equilibrium);
+        standing = modal_rail_model(parameters, wheels_m, equilibrium);
     return rolls ? rolling_rail(parameters, wheels_m, speed_m_per_s, std::move(standing)) : std::move(standing);
 }
 

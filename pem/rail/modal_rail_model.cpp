@@ -1,7 +1,6 @@
 #include "pem/rail/modal_rail_model.hpp"
 
 #include <numbers>
-#include <utility>
 
 #include "track/rail/modal_rail.hpp"
 #include "track/statics/seat_stiffness.hpp"
@@ -14,8 +13,8 @@ namespace {
 class ModalEvaluator : public RailEvaluator {
   public:
     ModalEvaluator(const track::ModalRail& rail, const track::TrackParameters& track,
-                   const track::StaticEquilibrium& equilibrium)
-        : rail_(rail), track_(track), equilibrium_(equilibrium) {}
+                   const track::TrackModifiers& modifiers, const track::StaticEquilibrium& equilibrium)
+        : rail_(rail), track_(track), modifiers_(modifiers), equilibrium_(equilibrium) {}
 
     const track::RailReceptance& at(lanes::Real omega) override {
         const std::size_t points = static_cast<std::size_t>(rail_.point_shape.rows());
@@ -26,8 +25,8 @@ class ModalEvaluator : public RailEvaluator {
         for (int lane = 0; lane < lanes::width; ++lane) {
             const double frequency = omega[lane] / (2.0 * std::numbers::pi);
             if (frequency != previous)
-                modal =
-                    track::modal_receptance(rail_, frequency, track::seat_stiffness(track_, equilibrium_, frequency));
+                modal = track::modal_receptance(rail_, frequency,
+                                                track::seat_stiffness(track_, equilibrium_, frequency, modifiers_));
             previous = frequency;  // the last group repeats its last line
             for (std::size_t i = 0; i < points; ++i) {
                 for (std::size_t j = 0; j < points; ++j)
@@ -42,32 +41,35 @@ class ModalEvaluator : public RailEvaluator {
   private:
     const track::ModalRail& rail_;
     const track::TrackParameters& track_;
+    const track::TrackModifiers& modifiers_;
     const track::StaticEquilibrium& equilibrium_;
     track::RailReceptance result_;
 };
 
 class ModalModel : public RailModel {
   public:
-    ModalModel(const track::TrackParameters& track, const std::vector<double>& points, int modes,
-               track::StaticEquilibrium equilibrium)
-        : track_(track),
-          equilibrium_(std::move(equilibrium)),
-          rail_(track::modal_rail(track_, equilibrium_.position_m, points, modes)) {}
+    ModalModel(const CaseParameters& parameters, const std::vector<double>& wheels_m,
+               const track::StaticEquilibrium& equilibrium)
+        : track_(parameters.track),
+          modifiers_(parameters.modifiers.track),
+          equilibrium_(equilibrium),
+          rail_(track::modal_rail(track_, equilibrium_.position_m, wheels_m, parameters.solver.modes, modifiers_)) {}
     std::unique_ptr<RailEvaluator> evaluator() const override {
-        return std::make_unique<ModalEvaluator>(rail_, track_, equilibrium_);
+        return std::make_unique<ModalEvaluator>(rail_, track_, modifiers_, equilibrium_);
     }
 
   private:
     track::TrackParameters track_;
+    track::TrackModifiers modifiers_;
     track::StaticEquilibrium equilibrium_;
     track::ModalRail rail_;
 };
 
 }  // namespace
 
-std::unique_ptr<RailModel> modal_rail_model(const track::TrackParameters& track, const std::vector<double>& points_m,
-                                            int modes, const track::StaticEquilibrium& equilibrium) {
-    return std::make_unique<ModalModel>(track, points_m, modes, equilibrium);
+std::unique_ptr<RailModel> modal_rail_model(const CaseParameters& parameters, const std::vector<double>& wheels_m,
+                                            const track::StaticEquilibrium& equilibrium) {
+    return std::make_unique<ModalModel>(parameters, wheels_m, equilibrium);
 }
 
 }  // namespace railpem::pem

@@ -4,14 +4,14 @@
 #include <memory>
 #include <vector>
 
+#include "pem/case_parameters.hpp"
 #include "pem/rail/rail_model.hpp"
 #include "track/statics/static_equilibrium.hpp"
-#include "track/track_parameters.hpp"
 
 namespace railpem::pem {
 
-/// A simply supported rail with its first `modes`, on the pads of `equilibrium`; the wheels at `points_m`.
-std::unique_ptr<RailModel> modal_rail_model(const track::TrackParameters& track, const std::vector<double>& points_m,
-                                            int modes, const track::StaticEquilibrium& equilibrium);
+/// A simply supported rail with the modes that the case asks for, on the pads of `equilibrium`.
+std::unique_ptr<RailModel> modal_rail_model(const CaseParameters& parameters, const std::vector<double>& wheels_m,
+                                            const track::StaticEquilibrium& equilibrium);
 
 }  // namespace railpem::pem

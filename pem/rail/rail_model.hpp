@@ -23,6 +23,7 @@ class RailEvaluator {
 /// Equal seats, over which wheels roll.
 struct EqualSeats {
     track::TrackParameters track;
+    track::TrackModifiers modifiers;
     double pad_stiffness_n_per_m = 0.0;  ///< K0 of every pad
 };
 
