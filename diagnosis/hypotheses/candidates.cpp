@@ -11,8 +11,7 @@
 
 #include "diagnosis/hypotheses/proposers/comb_relatives.hpp"
 #include "diagnosis/observations/shows.hpp"
-#include "pem/coupling/sensor_chain.hpp"
-#include "pem/coupling/solution.hpp"
+#include "pem/response_names.hpp"
 
 namespace railpem::diagnosis {
 

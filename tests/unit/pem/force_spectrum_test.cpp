@@ -1,8 +1,8 @@
-#include "vehicle/force_spectrum.hpp"
+#include "pem/force_spectrum.hpp"
 
 #include <gtest/gtest.h>
 
-namespace railpem::vehicle {
+namespace railpem::pem {
 namespace {
 
 const std::vector<double> kNodes{2.0, 8.0, 32.0};
@@ -32,4 +32,4 @@ TEST(ForceSpectrum, ReferenceTimesShare) {
 }
 
 }  // namespace
-}  // namespace railpem::vehicle
+}  // namespace railpem::pem

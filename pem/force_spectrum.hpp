@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace railpem::vehicle {
+namespace railpem::pem {
 
 /// One-sided PSD, N²/Hz, of a force that arises inside a suspension element and owes nothing to what moves it linearly:
 /// what a stop, a play or a stick leaves beside its linearised law. A reference, straight between nodes over the
@@ -44,4 +44,4 @@ struct ForceSpectrum {
     }
 };
 
-}  // namespace railpem::vehicle
+}  // namespace railpem::pem
