@@ -3,10 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 #include "parameters/parameter_error.hpp"
-#include "pem/coupling/sensor_chain.hpp"
+#include "pem/response_names.hpp"
 
 namespace railpem::pem {
 
@@ -105,11 +106,13 @@ Fields<SensorParameters> sensor_fields() {
     };
 }
 
-double WheelsOwn::at(double frequency) const {
-    double own = 0.0;
-    for (std::size_t node = 0; node < frequency_hz.size(); ++node)
-        own += vehicle::ForceSpectrum::weight(frequency_hz, node, frequency) * share[node];
-    return own;
+std::vector<double> frequency_lines(const FrequencyParameters& grid) {
+    // A step that divides the range up to rounding reaches the end of it.
+    const std::size_t steps =
+        static_cast<std::size_t>(std::floor((grid.to_hz - grid.from_hz) / grid.step_hz * (1.0 + 1e-12) + 1e-9));
+    std::vector<double> lines(steps + 1);
+    for (std::size_t i = 0; i <= steps; ++i) lines[i] = grid.from_hz + static_cast<double>(i) * grid.step_hz;
+    return lines;
 }
 
 double wheel_load_n(const CaseParameters& parameters) {

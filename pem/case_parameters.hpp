@@ -7,6 +7,7 @@
 
 #include "parameters/field.hpp"
 #include "pem/contact_parameters.hpp"
+#include "pem/modifiers.hpp"
 #include "pem/source_parameters.hpp"
 #include "spectra/irregularity_parameters.hpp"
 #include "track/track_parameters.hpp"
@@ -46,17 +47,6 @@ struct DecayRateReference {
     std::vector<double> relative_error;  ///< of the measurement: standard deviation of the logarithm
 };
 
-/// What each wheel meets by itself, incoherent from wheel to wheel, as a share of the power of the irregularity: what
-/// seats that are not alike, a play of the fastenings or ground that changes along the line leave beside the mean of a
-/// uniform track. Straight over the logarithm of frequency between nodes; no nodes: nothing.
-struct WheelsOwn {
-    std::vector<double> frequency_hz;  ///< > 0, increasing
-    std::vector<double> share;         ///< one per node, ≥ 0
-
-    bool empty() const { return frequency_hz.empty(); }
-    double at(double frequency_hz) const;
-};
-
 struct CaseParameters {
     std::string title;
     vehicle::VehicleParameters vehicle;
@@ -69,11 +59,12 @@ struct CaseParameters {
     SleeperPassing sleeper_passing;
     DecayRateReference decay_rate_reference;
     std::vector<WheelOutOfRoundness> wheel_out_of_roundness;
-    WheelsOwn wheels_own;
     std::vector<SensorParameters> sensors;
     /// Relative standard deviations of believed values by dotted key, where they differ from the defaults of the
     /// fields.
     std::map<std::string, double> tolerances;
+    /// What a diagnosis lets the case differ by from all of the above.
+    Modifiers modifiers;
 };
 
 parameters::Fields<CaseParameters> case_fields();
@@ -81,6 +72,9 @@ parameters::Fields<RunningParameters> running_fields();
 parameters::Fields<DecayRateReference> decay_rate_reference_fields();
 parameters::Fields<FrequencyParameters> frequency_fields();
 parameters::Fields<SolverParameters> solver_fields();
+
+/// Frequency lines of the grid, Hz.
+std::vector<double> frequency_lines(const FrequencyParameters& grid);
 
 /// The static load of one wheel, N: the stated one, or a quarter of half the weight of the vehicle with its payload.
 double wheel_load_n(const CaseParameters& parameters);

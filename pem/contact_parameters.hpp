@@ -1,6 +1,5 @@
 #pragma once
 
-#include "lanes/factor_curve.hpp"
 #include "parameters/field.hpp"
 
 namespace railpem::pem {
@@ -13,8 +12,6 @@ struct ContactParameters {
     double nonlinearity_factor = 0.0;
     /// Half length of the contact patch that averages short waves (Remington 1987); 0: a point.
     double patch_half_length_m = 0.0;
-    /// factor on the linear contact stiffness; free correction of a diagnosis, 1 when empty
-    lanes::FactorCurve correction;
 };
 
 parameters::Fields<ContactParameters> contact_fields();

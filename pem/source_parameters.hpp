@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "lanes/factor_curve.hpp"
 #include "parameters/field.hpp"
 
 namespace railpem::pem {
@@ -35,8 +34,6 @@ struct SensorParameters {
     double noise_rms_m_per_s2 = 0.0;
     double noise_slope_db_per_octave = 0.0;
     double delay_s = 0.0;
-    /// factor on the transfer (not on the noise); free correction of a diagnosis, 1 when empty
-    lanes::FactorCurve correction;
 };
 
 parameters::Fields<WheelOutOfRoundness> wheel_out_of_roundness_fields();

@@ -6,6 +6,8 @@
 #include "app/tables/response_summary.hpp"
 #include "app/tables/response_tables.hpp"
 #include "pem/coupling/solution.hpp"
+#include "pem/coupling/solve_case.hpp"
+#include "pem/response_names.hpp"
 #include "python/array_view.hpp"
 #include "python/bindings.hpp"
 #include "python/interruption.hpp"

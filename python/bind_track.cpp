@@ -4,7 +4,7 @@
 #include "app/schema/read_table.hpp"
 #include "app/tables/track_tables.hpp"
 #include "pem/coupling/track_response.hpp"
-#include "pem/rail/rail_model.hpp"
+#include "pem/rail/case_equilibrium.hpp"
 #include "python/array_view.hpp"
 #include "python/bindings.hpp"
 #include "python/interruption.hpp"

@@ -1,6 +1,6 @@
 #include "python/interruption.hpp"
 
-#include "pem/coupling/solution.hpp"
+#include "pem/solve_options.hpp"
 
 namespace railpem::python {
 

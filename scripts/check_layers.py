@@ -3,7 +3,7 @@
 when a folder holds more source files than a reader can look over, or when a folder has no README.
 
 The permitted directions are the house plan of CONTRIBUTING.md. `simulate` may see the parameter structs of
-track and vehicle and the formulas of spectra, but none of their solvers. A room is a folder within a folder; a unit is
+track and vehicle, the catalogue of effects and the formulas of spectra, but none of their solvers. A room is a folder within a folder; a unit is
 a header with the source of the same name.
 """
 import collections
@@ -16,20 +16,22 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 PERMITTED = {
     "parameters": set(),
     "lanes": set(),
+    "effects": set(),
     "spectra": {"parameters"},
     "vehicle": {"parameters", "lanes"},
     "track": {"parameters", "lanes"},
     "pem": {"parameters", "lanes", "spectra", "vehicle", "track"},
-    "simulate": {"parameters", "spectra", "vehicle", "track", "pem"},
+    "simulate": {"parameters", "effects", "spectra", "vehicle", "track", "pem"},
     "recordings": {"parameters", "spectra"},
-    "diagnosis": {"parameters", "lanes", "spectra", "vehicle", "track", "pem", "recordings"},
+    "diagnosis": {"parameters", "lanes", "effects", "spectra", "vehicle", "track", "pem", "recordings"},
     "ranks": set(),
-    "app": {"parameters", "lanes", "spectra", "vehicle", "track", "pem", "simulate", "recordings", "diagnosis", "ranks"},
+    "app": {"parameters", "lanes", "effects", "spectra", "vehicle", "track", "pem", "simulate", "recordings", "diagnosis", "ranks"},
     "python": {"parameters", "pem", "track", "simulate", "recordings", "diagnosis", "app"},
 }
 # The rooms of a folder, from the ground up: each may know those before it. What lies in the folder itself: "ground" stands
 # below all of its rooms, "roof" above them.
 ROOMS = {
+    "effects": ["ground", "catalogue"],
     "diagnosis": ["effects", "expectation", "observations", "model", "likelihood", "fit", "hypotheses", "judge", "search", "findings",
                   "roof"],
     "track": ["ground", "elements", "pads", "statics", "rail"],
@@ -42,7 +44,7 @@ ROOMS = {
 ABOVE_ALL = {"app/main.cpp"}
 MOST_FILES = 40  # of one folder, sources and headers
 # What simulate may open in the folders of the frequency domain: data and closed formulas only.
-SIMULATE_MAY_OPEN = re.compile(r"^(parameters/|.*_parameters\.hpp$|spectra/irregularity_spectrum\.hpp$)")
+SIMULATE_MAY_OPEN = re.compile(r"^(parameters/|effects/|.*_parameters\.hpp$|spectra/irregularity_spectrum\.hpp$)")
 # Libraries that only one folder may touch.
 ONLY_IN = {"toml++": "app", "CLI/": "app", "mpi.h": "ranks", "pybind11/": "python"}
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')

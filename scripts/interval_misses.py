@@ -5,7 +5,7 @@
 
 Reads a table of scripts/hide_and_seek.py from a first seed on. Per parameter: how many, the share that lies in its 90 % interval, the relative misses in per cent, and the
 relative deviation that would have to be added to the intervals' own for them to be as large as they are (root of the mean of miss² − deviation², 0 where that is
-negative). EffectParameter::inexact in diagnosis/effects holds it where it is not 0.
+negative). EffectParameter::inexact in effects/catalogue holds it where it is not 0.
 """
 import collections
 import csv

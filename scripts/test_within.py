@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """The tests of a build folder for as long as there is time, as many at once as there are processors, those that take least first.
 
-Usage: test_within.py FOLDER SECONDS EXCLUDED
+Usage: test_within.py FOLDER SECONDS SELECTION…
 
-EXCLUDED is a pattern of names, as for ctest -E. Programs that CMake gives a cost run suite by suite, so that of a long one, too, runs what fits. What is
+SELECTION: -R or -E with a pattern of names, as for ctest. Programs that CMake gives a cost run suite by suite, so that of a long one, too, runs what fits. What is
 still running when the time is over is ended and counted as not run, and so is what was not built; neither is a failure.
 """
 import concurrent.futures
@@ -18,9 +18,9 @@ import time
 PASSED, FAILED, NOT_RUN = "passed", "failed", "not run"
 
 
-def listed(folder, excluded):
+def listed(folder, selection):
     """Cost, name and command of each test that CMake knows, in increasing cost; no command where the program was not built."""
-    answer = subprocess.run(["ctest", "--test-dir", folder, "--show-only=json-v1", "-E", excluded], check=True, capture_output=True, text=True)
+    answer = subprocess.run(["ctest", "--test-dir", folder, "--show-only=json-v1", *selection], check=True, capture_output=True, text=True)
     tests = []
     for test in json.loads(answer.stdout)["tests"]:
         properties = {entry["name"]: entry["value"] for entry in test.get("properties", [])}
@@ -58,9 +58,9 @@ def run(name, command, folder, end):
 
 
 def main():
-    folder, seconds, excluded = sys.argv[1:4]
+    folder, seconds, *selection = sys.argv[1:]
     end = time.monotonic() + float(seconds)
-    work = [part for test in listed(folder, excluded) for part in parts(*test)]
+    work = [part for test in listed(folder, selection) for part in parts(*test)]
     with concurrent.futures.ThreadPoolExecutor(len(os.sched_getaffinity(0))) as pool:
         results = list(pool.map(lambda part: run(*part, folder, end), work))
     names = {wanted: [name for name, result in results if result == wanted] for wanted in (PASSED, FAILED, NOT_RUN)}

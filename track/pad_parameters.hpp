@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include "lanes/factor_curve.hpp"
 #include "parameters/field.hpp"
 
 namespace railpem::track {
@@ -42,9 +41,6 @@ struct PadParameters {
     std::vector<double> table_frequency_hz;
     std::vector<double> table_storage_ratio;
     std::vector<double> table_loss_factor;
-
-    /// factor on K_j(f), dashpot included; free correction of a diagnosis, 1 when empty
-    lanes::FactorCurve correction;
 };
 
 /// Fasteners that carry little or nothing. Every n-th seat (`every`), or a random share (`fraction`) drawn by `seed`;

@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include "lanes/factor_curve.hpp"
 #include "parameters/field.hpp"
 
 namespace railpem::track {
@@ -19,9 +18,6 @@ struct RailParameters {
     double shear_modulus_pa = 81e9;
     double shear_coefficient = 0.4;    ///< κ (effective shear area κA)
     double cross_section_m2 = 7.7e-3;  ///< A
-    /// Factor on the dynamic mass of rail and dampers, not on the rotary inertia; free correction of a diagnosis, 1
-    /// when empty.
-    lanes::FactorCurve correction;
 };
 
 /// A continuous line of tuned masses on the rail. Per metre of rail the dampers add the dynamic mass

@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include "lanes/factor_curve.hpp"
 #include "parameters/field.hpp"
 
 namespace railpem::track {
@@ -27,9 +26,6 @@ struct SupportParameters {
     double damping_n_s_per_m = 0.0;
     double loss_factor = 0.0;
     std::vector<SleeperMode> bending_modes;
-    /// Factor on k(1 + iη) + iωc, wherever it stands; free correction of a diagnosis, 1 when empty. No effect on rigid
-    /// ground.
-    lanes::FactorCurve correction;
 };
 
 parameters::Fields<SupportParameters> support_fields();

@@ -138,31 +138,33 @@ void attach(HalfVehicle& car, const Attachments& attachments, double mass_kg, do
     add(attachments.rear, -radius_m);
 }
 
-void add_attachments(HalfVehicle& car, const VehicleParameters& vehicle, const Degrees& d) {
+void add_attachments(HalfVehicle& car, const VehicleParameters& vehicle, const VehicleModifiers& modifiers,
+                     const Degrees& d) {
     const double body_radius = std::sqrt(vehicle.body_pitch_inertia_kg_m2 / vehicle.body_mass_kg);
-    attach(car, vehicle.body_attachments, (vehicle.body_mass_kg + vehicle.payload_kg) / 2.0, body_radius,
+    attach(car, modifiers.body_attachments, (vehicle.body_mass_kg + vehicle.payload_kg) / 2.0, body_radius,
            {{d.body_heave, 1.0}}, {{d.body_pitch, 1.0}});
     const double mass = vehicle.bogie_mass_kg / 2.0,
                  radius = std::sqrt(vehicle.bogie_pitch_inertia_kg_m2 / vehicle.bogie_mass_kg);
-    attach(car, vehicle.between_bogies, mass, radius, {{d.bogie_heave[0], 1.0}, {d.bogie_heave[1], -1.0}},
+    attach(car, modifiers.between_bogies, mass, radius, {{d.bogie_heave[0], 1.0}, {d.bogie_heave[1], -1.0}},
            {{d.bogie_pitch[0], 1.0}, {d.bogie_pitch[1], 1.0}});
 }
 
-/// −ω²·mass, with the correction of whatever carries it.
+/// −ω²·mass, with the factors of whatever carries it.
 lanes::Complex inertia_of(const HalfVehicle& car, const Element& element, lanes::Real omega) {
     const lanes::Complex inertia{-element.mass_kg * omega * omega, lanes::Real{}};
-    const auto corrected = [&](const lanes::Complex& own, const lanes::FactorCurve& correction) {
-        return correction.empty() ? own : own * correction.at(omega);
+    const VehicleModifiers& modifiers = car.modifiers;
+    const auto corrected = [&](const lanes::Complex& own, const lanes::FactorCurve& factor) {
+        return factor.empty() ? own : own * factor.at(omega);
     };
     switch (element.carrier) {
         case Carrier::body:
-            return corrected(inertia, car.body_correction);
+            return corrected(inertia, modifiers.body);
         case Carrier::bogie:
-            return corrected(corrected(inertia, car.bogie_correction),
-                             car.one_bogie_correction[static_cast<std::size_t>(element.index)]);
+            return corrected(corrected(inertia, modifiers.bogies),
+                             modifiers.one_bogie[static_cast<std::size_t>(element.index)]);
         case Carrier::wheel:
-            return corrected(corrected(inertia, car.wheel_correction),
-                             car.one_wheelset_correction[static_cast<std::size_t>(element.index)]);
+            return corrected(corrected(inertia, modifiers.wheelsets),
+                             modifiers.one_wheelset[static_cast<std::size_t>(element.index)]);
         case Carrier::none:
             break;
     }
@@ -172,9 +174,10 @@ lanes::Complex inertia_of(const HalfVehicle& car, const Element& element, lanes:
 lanes::Complex stiffness_of(const HalfVehicle& car, const Element& element, lanes::Real omega) {
     switch (element.law) {
         case Law::secondary:
-            return suspension_stiffness(car.secondary, car.friction.secondary[element.index], omega);
+            return suspension_stiffness(car.secondary, car.friction.secondary[element.index], omega,
+                                        car.modifiers.secondary);
         case Law::primary:
-            return suspension_stiffness(car.primary, car.friction.primary[element.index], omega);
+            return suspension_stiffness(car.primary, car.friction.primary[element.index], omega, car.modifiers.primary);
         case Law::inertia:
             return inertia_of(car, element, omega);
         case Law::attached:
@@ -191,25 +194,22 @@ lanes::Complex stiffness_of(const HalfVehicle& car, const Element& element, lane
 
 }  // namespace
 
-HalfVehicle half_vehicle(const VehicleParameters& vehicle) {
+HalfVehicle half_vehicle(const VehicleParameters& vehicle, const VehicleModifiers& modifiers) {
     const Degrees d = number_degrees(vehicle);
     HalfVehicle car;
     car.degrees = d.next;
     car.primary = vehicle.primary;
     car.secondary = vehicle.secondary;
-    car.body_correction = vehicle.body_correction;
-    car.bogie_correction = vehicle.bogie_correction;
-    car.wheel_correction = vehicle.wheel_correction;
-    car.one_bogie_correction = vehicle.one_bogie_correction;
-    car.one_wheelset_correction = vehicle.one_wheelset_correction;
+    car.modifiers = modifiers;
     add_body(car, vehicle, d);
     for (int bogie = 0; bogie < 2; ++bogie) add_bogie(car, vehicle, d, bogie);
     for (int wheel = 0; wheel < 4; ++wheel) add_wheel(car, vehicle, d, wheel);
-    add_attachments(car, vehicle, d);
+    add_attachments(car, vehicle, modifiers, d);
     return car;
 }
 
-lanes::Complex suspension_stiffness(const SuspensionParameters& law, double friction_damping, lanes::Real omega) {
+lanes::Complex suspension_stiffness(const SuspensionParameters& law, double friction_damping, lanes::Real omega,
+                                    const lanes::FactorCurve& factor) {
     lanes::Complex damper{lanes::Real{}, law.damping_n_s_per_m * omega};
     if (std::isfinite(law.damper_series_stiffness_n_per_m)) {
         const lanes::Complex series(law.damper_series_stiffness_n_per_m);
@@ -217,7 +217,7 @@ lanes::Complex suspension_stiffness(const SuspensionParameters& law, double fric
     }
     damper.re += law.stiffness_n_per_m;
     damper.im += friction_damping * omega;
-    return law.correction.empty() ? damper : damper * law.correction.at(omega);
+    return factor.empty() ? damper : damper * factor.at(omega);
 }
 
 void assemble(const HalfVehicle& car, lanes::Real omega, Workspace& workspace) {

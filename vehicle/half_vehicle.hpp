@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lanes/symmetric_solve.hpp"
+#include "vehicle/vehicle_modifiers.hpp"
 #include "vehicle/vehicle_parameters.hpp"
 
 namespace railpem::vehicle {
@@ -16,7 +17,7 @@ enum class Place { body, body_front, body_rear, bogie_1, bogie_2, wheel_1, wheel
 /// Which law of force an element of the structure obeys.
 enum class Law { secondary, primary, inertia, mode, attached };
 
-/// Whose rigid mass an element of Law::inertia carries, and with it whose correction; hung masses belong to none.
+/// Whose rigid mass an element of Law::inertia carries, and with it whose factor; hung masses belong to none.
 enum class Carrier { none, body, bogie, wheel };
 
 /// A degree of freedom and its share in an elongation or a displacement.
@@ -26,7 +27,7 @@ struct Share {
 };
 
 /// One element: elongation e = Σ weight·q, force = stiffness(ω)·e. For Law::inertia the "stiffness" is
-/// −ω²·mass·correction, for Law::attached −ω²·mass·attached[index]; for Law::mode mass·(ω_n² − ω² + 2iζω_nω) when it
+/// −ω²·mass·factor, for Law::attached −ω²·mass·attached[index]; for Law::mode mass·(ω_n² − ω² + 2iζω_nω) when it
 /// carries a mass, or its spring part only where `mass_moves` is false.
 struct Element {
     std::vector<Share> shares;
@@ -54,10 +55,8 @@ struct HalfVehicle {
     std::array<std::vector<Share>, 4> primary_elongation;
     std::array<std::vector<Share>, 2> secondary_elongation;
     SuspensionParameters primary, secondary;
-    lanes::FactorCurve body_correction, bogie_correction, wheel_correction;  ///< as in VehicleParameters
-    std::array<lanes::FactorCurve, 2> one_bogie_correction;
-    std::array<lanes::FactorCurve, 4> one_wheelset_correction;
-    std::vector<lanes::FactorCurve> attached;
+    VehicleModifiers modifiers;
+    std::vector<lanes::FactorCurve> attached;  ///< the attachments that there are
     FrictionDamping friction;
 
     int first_wheel() const { return degrees - 4; }
@@ -65,11 +64,12 @@ struct HalfVehicle {
 
 /// Builds the half vehicle: 10 degrees of freedom (body heave and pitch, two bogies' heave and pitch, four wheels) plus
 /// one for each mode and hung mass. `vehicle` must have passed check().
-HalfVehicle half_vehicle(const VehicleParameters& vehicle);
+HalfVehicle half_vehicle(const VehicleParameters& vehicle, const VehicleModifiers& modifiers = {});
 
 /// Dynamic stiffness of a suspension element, N/m: k + c·iω·k_s/(k_s + c·iω) + iω·c_f with c_f the friction's
-/// equivalent damping (Maxwell element; Bruni et al. 2011), all of it times the element's correction.
-lanes::Complex suspension_stiffness(const SuspensionParameters& law, double friction_damping, lanes::Real omega);
+/// equivalent damping (Maxwell element; Bruni et al. 2011), all of it times `factor`.
+lanes::Complex suspension_stiffness(const SuspensionParameters& law, double friction_damping, lanes::Real omega,
+                                    const lanes::FactorCurve& factor = {});
 
 /// Receptances of the free half vehicle for unit forces at the wheels (upwards): displacement at every place and
 /// elongation of every suspension element.

@@ -1,13 +1,10 @@
 #pragma once
 // The car as data: whole-vehicle masses and inertias, suspension elements per rail side (CONVENTIONS.md).
 
-#include <array>
 #include <limits>
 #include <vector>
 
-#include "lanes/factor_curve.hpp"
 #include "parameters/field.hpp"
-#include "vehicle/force_spectrum.hpp"
 
 namespace railpem::vehicle {
 
@@ -20,11 +17,6 @@ struct SuspensionParameters {
     /// Stiffness in series with the damper; infinity: the damper is mounted rigidly (Bruni et al. 2011).
     double damper_series_stiffness_n_per_m = std::numeric_limits<double>::infinity();
     double friction_force_n = 0.0;
-    /// Factor on the whole dynamic stiffness of the element, friction included; free correction of a diagnosis, 1 when
-    /// empty.
-    lanes::FactorCurve correction;
-    /// Of every element, beside its law; free forces of a diagnosis, none when empty.
-    ForceSpectrum own_force;
 };
 
 /// First free–free bending mode of the car body. Displacement of the body at x: heave + x·pitch + φ(x)·q with
@@ -54,13 +46,6 @@ struct BogieMountedMass {
     double position_m = 0.0;  ///< from the bogie centre, positive towards the front
 };
 
-/// Dynamic masses attached to a rigid body at its centre and, a radius of gyration before and behind it, at its front
-/// and rear, in multiples of its mass: heave, pitch and what couples them each on its own. Free corrections of a
-/// diagnosis, nothing when empty.
-struct Attachments {
-    lanes::FactorCurve centre, front, rear;
-};
-
 struct VehicleParameters {
     double body_mass_kg = 0.0;
     double body_pitch_inertia_kg_m2 = 0.0;
@@ -77,14 +62,6 @@ struct VehicleParameters {
     std::vector<BodyBendingMode> body_bending;           ///< at most one
     std::vector<WheelsetBendingMode> wheelset_bending;   ///< at most one, the same on every wheelset
     std::vector<BogieMountedMass> bogie_mounted_masses;  ///< each hangs on both bogies
-    // Factors on dynamic masses; free corrections of a diagnosis, 1 when empty. Modes and hung masses keep their own.
-    lanes::FactorCurve body_correction;   ///< factor on the body's mass (with payload) and pitch inertia
-    lanes::FactorCurve bogie_correction;  ///< factor on mass and pitch inertia of both bogies
-    lanes::FactorCurve wheel_correction;  ///< factor on the mass of every wheelset
-    std::array<lanes::FactorCurve, 2> one_bogie_correction;     ///< and on those of one bogie only
-    std::array<lanes::FactorCurve, 4> one_wheelset_correction;  ///< and on the mass of one wheelset only
-    Attachments body_attachments;                               ///< to the body, payload included
-    Attachments between_bogies;  ///< to the difference of both bogies' motions, seen from the middle of the car
 };
 
 /// Longitudinal positions of wheels 1…4 from the centre of the body, m, front first.

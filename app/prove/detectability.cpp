@@ -18,7 +18,10 @@ struct Sighting {
 /// Distance from where the effect fades, or the inverse of a value that fades towards infinity.
 double strength_of(const EffectDraw& draw, double value) {
     const double away = std::abs(value - draw.nothing);
-    if (draw.id == "parameter-error") return std::abs(std::log(value));
+    const bool is_factor = std::any_of(draw.parameters.begin(), draw.parameters.end(), [&](const DrawnParameter& own) {
+        return own.name == draw.strength && own.mirror == DrawMirror::inverse;
+    });
+    if (is_factor) return std::abs(std::log(value));
     return draw.weak_when_large ? 1.0 / away : away;
 }
 

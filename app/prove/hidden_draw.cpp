@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "effects/catalogue.hpp"
 #include "simulate/recording.hpp"
 
 namespace railpem::app {
@@ -13,7 +14,6 @@ namespace railpem::app {
 namespace {
 
 constexpr double kLeastLine_hz = 4.0, kMostLine_hz = 150.0;
-constexpr double kInverted = 0.1;  ///< share of wrong gains that are a sensor mounted the wrong way up
 
 double draw_value(const DrawnParameter& parameter, const std::map<std::string, double>& others, DrawStream& stream) {
     double x = parameter.spacing == DrawSpacing::whole
@@ -24,41 +24,39 @@ double draw_value(const DrawnParameter& parameter, const std::map<std::string, d
     if (!parameter.scaled_by.empty()) x *= std::pow(others.at(parameter.scaled_by), parameter.power);
     if (parameter.mirror == DrawMirror::sign && stream.chance(0.5)) x = -x;
     if (parameter.mirror == DrawMirror::inverse && stream.chance(0.5)) x = 1.0 / x;
-    return parameter.offset + x;
+    const bool upside_down = parameter.upside_down > 0.0 && stream.chance(parameter.upside_down);
+    return upside_down ? -1.0 : parameter.offset + x;
 }
 
 std::map<std::string, double> draw_values(const EffectDraw& draw, DrawStream& stream) {
     std::map<std::string, double> values;
     for (const DrawnParameter& parameter : draw.parameters)
         values[parameter.name] = draw_value(parameter, values, stream);
-    if (draw.id == "sensor-gain" && stream.chance(kInverted)) values["gain"] = -1.0;
     return values;
 }
 
 std::map<std::string, std::string> draw_texts(const std::string& id, const diagnosis::BelievedCase& believed,
                                               DrawStream& stream) {
     std::map<std::string, std::string> texts;
-    for (const simulate::HiddenEffect& effect : simulate::hidden_effects()) {
-        if (effect.id != id) continue;
-        for (const simulate::HiddenParameter& parameter : effect.parameters) {
-            if (!parameter.is_text) continue;
-            if (parameter.name == "channel")
-                texts["channel"] = simulate::channel_names()[stream.index(simulate::channel_names().size())];
-            if (parameter.name == "stage") texts["stage"] = stream.chance(0.5) ? "primary" : "secondary";
-            if (parameter.name == "parameter")
-                texts["parameter"] = believed.uncertain[stream.index(believed.uncertain.size())].key;
-        }
+    for (const effects::EffectChoice& choice : effects::find_description(id)->choices) {
+        if (choice.whole_number) continue;  // drawn as a number
+        if (choice.options.empty())
+            texts[choice.name] = believed.uncertain[stream.index(believed.uncertain.size())].key;
+        else if (choice.name == "channel")
+            texts[choice.name] = simulate::channel_names()[stream.index(simulate::channel_names().size())];
+        else
+            texts[choice.name] = choice.options[stream.index(choice.options.size())];
     }
     return texts;
 }
 
 /// Whether what is periodic shows somewhere in the band.
-bool shows(const std::string& id, const std::map<std::string, double>& values, const CaseFile& file,
+bool shows(const EffectDraw& draw, const std::map<std::string, double>& values, const CaseFile& file,
            const std::vector<TrialRecord>& records) {
     double wavelength = 0.0;
-    if (id == "wheel-out-of-roundness")
-        wavelength = 2.0 * std::numbers::pi * file.parameters.vehicle.wheel_radius_m / values.at("order");
-    if (id == "rail-corrugation") wavelength = values.at("wavelength_m");
+    if (!draw.waves_per_turn.empty())
+        wavelength = 2.0 * std::numbers::pi * file.parameters.vehicle.wheel_radius_m / values.at(draw.waves_per_turn);
+    if (!draw.wavelength.empty()) wavelength = values.at(draw.wavelength);
     if (wavelength == 0.0) return true;
     return std::any_of(records.begin(), records.end(), [&](const TrialRecord& record) {
         const double line = record.speed_m_per_s / wavelength;
@@ -92,7 +90,7 @@ simulate::Hidden draw_effect(const std::string& id, const CaseFile& file, const 
     const EffectDraw& draw = choose_draw(id, stream);
     std::map<std::string, double> values;
     do values = draw_values(draw, stream);
-    while (!shows(id, values, file, records) || !is_physical(id, values));
+    while (!shows(draw, values, file, records) || !is_physical(id, values));
     std::string text = id;
     char separator = ':';
     const auto add = [&](const std::string& name, const std::string& value) {

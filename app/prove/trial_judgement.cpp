@@ -3,12 +3,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "effects/catalogue.hpp"
+
 namespace railpem::app {
 
 namespace {
 
-/// What tells instances of one effect apart. `every` is no more than a value.
-constexpr const char* kTelling[] = {"channel", "wheel", "order", "stage", "parameter"};
+/// What tells instances of one effect apart. A choice that may be left away is no more than a value.
+std::vector<std::string> telling_choices(const effects::EffectDescription& effect) {
+    std::vector<std::string> names;
+    for (const effects::EffectChoice& choice : effect.choices)
+        if (choice.required) names.push_back(choice.name);
+    return names;
+}
 
 std::string with_choices(const std::string& id, const std::vector<std::string>& choices) {
     std::string text;
@@ -134,22 +141,23 @@ std::string column_of(const TrialResult& result, Claim claim) {
 }  // namespace
 
 std::string label_of(const ClaimedEffect& claimed) {
+    const effects::EffectDescription* effect = effects::find_description(claimed.effect);
     std::vector<std::string> choices;
-    for (const char* name : kTelling)
-        if (const auto found = claimed.choices.find(name); found != claimed.choices.end())
-            choices.push_back(found->second);
+    for (const auto& [name, value] : claimed.choices)
+        if (!effect) choices.push_back(value);
+    if (effect)
+        for (const std::string& name : telling_choices(*effect))
+            if (const auto found = claimed.choices.find(name); found != claimed.choices.end())
+                choices.push_back(found->second);
     return with_choices(claimed.effect, choices);
 }
 
 std::string label_of(const simulate::Hidden& hidden) {
     std::vector<std::string> choices;
-    for (const char* name : kTelling) {
+    for (const std::string& name : telling_choices(*effects::find_description(hidden.id))) {
         if (const auto text = hidden.values.texts.find(name); text != hidden.values.texts.end())
             choices.push_back(text->second);
-        const diagnosis::Effect* effect = diagnosis::find_effect(hidden.id);
-        const bool chosen = effect && std::any_of(effect->choices.begin(), effect->choices.end(),
-                                                  [&](const diagnosis::EffectChoice& c) { return c.name == name; });
-        if (const auto value = hidden.values.numbers.find(name); chosen && value != hidden.values.numbers.end())
+        if (const auto value = hidden.values.numbers.find(name); value != hidden.values.numbers.end())
             choices.push_back(std::to_string(std::lround(value->second)));
     }
     return with_choices(hidden.id, choices);
@@ -170,7 +178,7 @@ Judgement judge(const TrialTruth& truth, const TrialResult& result) {
             judgement.misfit_retuned = -result.held_out_retuned.log_likelihood_per_second;
             judgement.misfit_after = -result.held_out_after.log_likelihood_per_second;
         }
-        judgement.baseline_retuning = !result.retuned_outside.empty()         ? "parameter-error"
+        judgement.baseline_retuning = !result.retuned_outside.empty()         ? effects::wrong_number_id()
                                       : result.retuned.rms_db < kConcealed_db ? "consistent"
                                                                               : "misfit";
         judgement.baseline_bic = result.bic_gain > 0.0 ? "best set" : "consistent";

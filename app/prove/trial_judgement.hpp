@@ -37,7 +37,7 @@ struct Judgement {
     /// held-out nats per second; only where the effect is right
     double misfit_retuned = std::numeric_limits<double>::quiet_NaN();
     double misfit_after = std::numeric_limits<double>::quiet_NaN();
-    std::string baseline_retuning;  ///< what somebody who only retunes would say: consistent, parameter-error, misfit
+    std::string baseline_retuning;  ///< what somebody who only retunes would say: consistent, a wrong number, misfit
     std::string baseline_bic;       ///< BIC over the PSDs: consistent, or the best set
     std::string hidden;             ///< row of the confusion matrix: nothing, an effect, "pair"
     std::string returned;           ///< column: nothing, an effect, several, ambiguous, unexplained, failed
@@ -46,7 +46,7 @@ struct Judgement {
 
 Judgement judge(const TrialTruth& truth, const TrialResult& result);
 
-/// Identifiers with what tells their instances apart: "sensor-gain (bogie_1)".
+/// Identifiers with what tells their instances apart: "… (bogie_1)".
 std::string label_of(const ClaimedEffect& claimed);
 std::string label_of(const simulate::Hidden& hidden);
 

@@ -6,18 +6,18 @@
 
 #include "app/prove/effect_draws.hpp"
 #include "app/schema/case_file.hpp"
+#include "effects/catalogue.hpp"
 
 namespace railpem::app {
 
 namespace {
 
 std::string place_of(const simulate::Hidden& hidden) {
-    if (hidden.id == "parameter-error")
-        return element_name(diagnosis::element_of_key(hidden.values.texts.at("parameter")));
-    if (hidden.id == "suspension-friction") return hidden.values.texts.at("stage");
-    for (const simulate::HiddenEffect& effect : simulate::hidden_effects())
-        if (effect.id == hidden.id) return effect.place;
-    return {};
+    const effects::EffectDescription& effect = *effects::find_description(hidden.id);
+    if (effect.wrong_number) return element_name(diagnosis::element_of_key(hidden.values.texts.at("parameter")));
+    for (const effects::EffectChoice& choice : effect.choices)
+        if (choice.is_element) return hidden.values.texts.at(choice.name);
+    return place_text(effect);
 }
 
 }  // namespace
@@ -33,7 +33,7 @@ std::string kind_name(TrialKind kind) {
         case TrialKind::sensor:
             return "sensor";
         case TrialKind::parameter_error:
-            return "parameter-error";
+            return effects::wrong_number_id();
         case TrialKind::outside:
             return "outside";
     }
@@ -61,7 +61,7 @@ double true_value(const TrialTruth& truth, const std::string& effect, const std:
                   const std::string& parameter) {
     for (const simulate::Hidden& hidden : truth.hidden) {
         if (hidden.id != effect) continue;
-        if (effect == "parameter-error") {
+        if (effect == effects::wrong_number_id()) {
             if (hidden.values.texts.at("parameter") != key) continue;
             for (const TrueNumber& number : truth.numbers)
                 if (number.key == key) return number.truth / number.believed;

@@ -14,7 +14,7 @@ namespace railpem::app {
 /// nothing: a null. outside: an effect that the catalogue does not have.
 enum class TrialKind { nothing, single, pair, sensor, parameter_error, outside };
 
-/// "nothing", "parameter-error", …
+/// "nothing", "single", …
 std::string kind_name(TrialKind kind);
 
 /// One record of a trial.
@@ -53,7 +53,7 @@ std::vector<std::string> true_places(const TrialTruth& truth);
 double true_strength(const TrialTruth& truth);
 
 /// The true value of a fitted parameter of `effect` in what is hidden, nuisance errors of the believed case included;
-/// NaN where the truth has no such number. `key`: of the number, for `parameter-error`.
+/// NaN where the truth has no such number. `key`: of the number, where that is what is wrong.
 double true_value(const TrialTruth& truth, const std::string& effect, const std::string& key,
                   const std::string& parameter);
 

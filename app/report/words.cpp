@@ -102,7 +102,7 @@ std::string wrong_values(const Diagnosis& diagnosis) {
     for (const diagnosis::NamedEffect& effect : diagnosis.omitted) {
         const auto key = effect.instance.choices.find("parameter");
         const auto factor = effect.instance.values.find("factor");
-        if (effect.instance.effect != "parameter-error" || key == effect.instance.choices.end() ||
+        if (!is_wrong_number(effect.instance) || key == effect.instance.choices.end() ||
             factor == effect.instance.values.end())
             return "";
         out += (out.empty() ? "" : ", ") + escaped(key->second) + " is " + figure(factor->second) +

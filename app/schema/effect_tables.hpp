@@ -20,8 +20,8 @@ pem::CaseParameters with_effects(const Document& document, pem::CaseParameters p
 /// The effects as [[effect]] tables: what each instance states, and nothing else.
 std::string write_effects(const std::vector<diagnosis::EffectInstance>& effects);
 
-/// The physical numbers of a case by dotted key, for the effect `parameter-error`: all of case_numbers() but those of
-/// the frequency lines and of the solver.
+/// The physical numbers of a case by dotted key, for a wrong number among the effects: all of case_numbers() but those
+/// of the frequency lines and of the solver.
 diagnosis::ParameterAccess parameter_access(const pem::CaseParameters& parameters);
 
 }  // namespace railpem::app

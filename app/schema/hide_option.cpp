@@ -8,6 +8,7 @@
 #include "app/schema/case_numbers.hpp"
 #include "app/schema/nearest_key.hpp"
 #include "app/schema/schema.hpp"
+#include "effects/catalogue.hpp"
 #include "parameters/parameter_error.hpp"
 
 namespace railpem::app {
@@ -55,9 +56,9 @@ void check_names(const std::string& text) {
             throw unknown_name(option, "parameter", name, known);
 }
 
-/// Multiplies a number of the case, for the effect `parameter-error`.
+/// Multiplies a number of the case, for the effect that is a wrong number.
 void scale_number(pem::CaseParameters& parameters, const std::string& key, double factor) {
-    const std::string option = fmt::format("--hide parameter-error:parameter={}", key);
+    const std::string option = fmt::format("--hide {}:parameter={}", effects::wrong_number_id(), key);
     std::vector<std::string> known;
     for (const CaseNumber& number : case_numbers(parameters)) {
         known.push_back(number.key);

@@ -11,6 +11,7 @@
 #include "app/schema/describe_table.hpp"
 #include "app/schema/nearest_key.hpp"
 #include "app/schema/read_table.hpp"
+#include "pem/response_names.hpp"
 #include "spectra/third_octaves.hpp"
 
 namespace railpem::app {

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "app/program_version.hpp"
+#include "pem/response_names.hpp"
 #include "spectra/integrate_psd.hpp"
 #include "spectra/third_octaves.hpp"
 

@@ -5,6 +5,7 @@
 
 #include "app/program_version.hpp"
 #include "app/tables/json_values.hpp"
+#include "pem/response_names.hpp"
 #include "spectra/comfort.hpp"
 #include "spectra/integrate_psd.hpp"
 #include "spectra/irregularity_spectrum.hpp"

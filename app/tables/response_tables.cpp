@@ -1,5 +1,6 @@
 #include "app/tables/response_tables.hpp"
 
+#include "pem/response_names.hpp"
 #include "spectra/third_octaves.hpp"
 
 namespace railpem::app {

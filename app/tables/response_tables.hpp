@@ -6,6 +6,7 @@
 
 #include "app/number_table.hpp"
 #include "pem/coupling/solution.hpp"
+#include "pem/response_names.hpp"
 #include "track/statics/static_equilibrium.hpp"
 
 namespace railpem::app {

@@ -10,6 +10,7 @@
 #include "app/schema/recording_schema.hpp"
 #include "app/schema/sweep_schema.hpp"
 #include "app/verbs/verbs.hpp"
+#include "effects/describe_effects.hpp"
 
 namespace railpem::app {
 
@@ -17,7 +18,7 @@ namespace {
 
 const std::map<std::string, std::string (*)()>& pages() {
     static const std::map<std::string, std::string (*)()> all = {{"case", describe_case},
-                                                                 {"effects", diagnosis::describe_effects},
+                                                                 {"effects", effects::describe_effects},
                                                                  {"recording", describe_recording},
                                                                  {"sweep", describe_sweep}};
     return all;

@@ -9,6 +9,8 @@
 
 #include "app/schema/read_table.hpp"
 #include "pem/coupling/solution.hpp"
+#include "pem/coupling/solve_case.hpp"
+#include "pem/response_names.hpp"
 
 namespace railpem::app {
 

@@ -11,6 +11,7 @@
 #include "app/tables/simulated_recording_files.hpp"
 #include "app/verbs/simulation_request.hpp"
 #include "app/verbs/verbs.hpp"
+#include "effects/catalogue.hpp"
 
 namespace railpem::app {
 
@@ -106,11 +107,12 @@ void add_simulate(CLI::App& program, Run& run) {
     CLI::App* verb = program.add_subcommand(
         "simulate",
         "a recording marched in time, with or without hidden effects: DIR/recording.toml and DIR/recording.csv");
+    const effects::EffectDescription& first = effects::catalogue().front();
     verb->footer(
-        "Examples:\n"
-        "  railpem simulate --list\n"
-        "  railpem simulate case.toml --seconds 60 --seed 1 --out run1 --truth run1.json --hide "
-        "pad-frequency-stiffening:exponent=0.15");
+        fmt::format("Examples:\n"
+                    "  railpem simulate --list\n"
+                    "  railpem simulate case.toml --seconds 60 --seed 1 --out run1 --truth run1.json --hide {}:{}={:g}",
+                    first.id, first.parameters.front().name, first.parameters.front().typical));
     verb->add_option("CASE", request->simulation.path, "case file");
     verb->add_option("--hide", request->simulation.hide,
                      "conceal an effect in it: EFFECT[:parameter=value,…]; may be repeated")

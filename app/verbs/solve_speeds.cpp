@@ -2,6 +2,7 @@
 
 #include "app/progress_bar.hpp"
 #include "app/schema/read_table.hpp"
+#include "pem/coupling/solve_case.hpp"
 
 namespace railpem::app {
 

@@ -6,7 +6,7 @@
 #include "app/schema/read_table.hpp"
 #include "app/tables/response_tables.hpp"
 #include "app/verbs/verbs.hpp"
-#include "pem/rail/rail_model.hpp"
+#include "pem/rail/case_equilibrium.hpp"
 
 namespace railpem::app {
 

@@ -9,7 +9,7 @@
 #include "app/schema/recording_schema.hpp"
 #include "app/schema/sweep_schema.hpp"
 #include "app/verbs/verbs.hpp"
-#include "pem/rail/rail_model.hpp"
+#include "pem/rail/case_equilibrium.hpp"
 #include "recordings/loading/load_recording.hpp"
 
 namespace railpem::app {

@@ -2,7 +2,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
@@ -104,11 +103,13 @@ double value_of(const Effect& effect, const EffectInstance& instance, const std:
 
 Element element_of(const Effect& effect, const EffectInstance& instance) {
     if (effect.elements.size() == 1) return effect.elements.front();
-    if (const auto key = instance.choices.find("parameter"); key != instance.choices.end())
-        return element_of_key(key->second);
-    const auto stage = instance.choices.find("stage");
-    assert(stage != instance.choices.end());
-    return stage->second == element_name(Element::primary) ? Element::primary : Element::secondary;
+    if (effect.wrong_number) return element_of_key(instance.choices.at("parameter"));
+    for (const EffectChoice& choice : effect.choices) {
+        if (!choice.is_element) continue;
+        for (const Element element : effect.elements)
+            if (element_name(element) == instance.choices.at(choice.name)) return element;
+    }
+    throw std::logic_error(effect.id + " does not say in which element it sits");
 }
 
 void check(const EffectInstance& instance, const ParameterAccess& access, bool force) {
@@ -136,7 +137,7 @@ void apply(const EffectInstance& instance, const ParameterAccess& access, pem::C
 std::vector<std::size_t> application_order(const std::vector<EffectInstance>& instances) {
     const auto place = [&](std::size_t index) -> std::ptrdiff_t {
         const Effect& effect = known_effect(instances[index]);
-        return effect.id == "parameter-error" ? -1 : &effect - effects().data();
+        return effect.wrong_number ? -1 : &effect - effects().data();
     };
     std::vector<std::size_t> order(instances.size());
     std::iota(order.begin(), order.end(), std::size_t{0});

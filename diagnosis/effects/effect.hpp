@@ -8,45 +8,15 @@
 #include <vector>
 
 #include "diagnosis/effects/element.hpp"
+#include "effects/effect_description.hpp"
 #include "pem/case_parameters.hpp"
 
 namespace railpem::diagnosis {
 
-/// How believable values are spread over the range before any data are seen.
-enum class Spread { uniform, logarithmic };
-
-/// A continuous parameter of an effect.
-struct EffectParameter {
-    std::string name;  ///< as in the catalogue, with its unit
-    std::string unit;
-    double low = 0.0;  ///< of the physical range, ends included
-    double high = 1.0;
-    double typical = 0.5;  ///< a moderate strength, for figures and starting points
-    Spread spread = Spread::uniform;
-    bool strength = false;  ///< the effect vanishes as all parameters so marked go to `nothing`
-    double nothing = 0.0;   ///< may be infinite, or lie outside of the range
-    /// the effect is a source of its own whose power grows with (value − nothing)²: no derivative at nothing shows it
-    bool amplitude = false;
-    bool law = false;  ///< bends the law of an effect that is there: sought from its typical value alone
-    /// a distance with lines at all multiples of v/distance: its divisors and multiples have many of them too
-    bool comb = false;
-    /// relative standard deviation by which fitted values miss those of marched records beyond what the data leave
-    /// open: what the law itself gets wrong
-    double inexact = 0.0;
-    /// distance from `nothing` below which nobody would speak of the effect: models are off by as much
-    double least = 0.0;
-    std::string says;
-};
-
-/// A discrete parameter: which wheel, order, channel, stage, key of the case. Written in files as text or whole number.
-struct EffectChoice {
-    std::string name;
-    std::vector<std::string> options;  ///< empty: any number of the case by its dotted key (parameter-error)
-    bool whole_number = false;         ///< options are whole numbers, without gaps
-    bool required = true;
-    std::string replaces;  ///< parameter that means nothing, and must not be given, beside this choice
-    std::string says;
-};
+using effects::Band;
+using effects::EffectChoice;
+using effects::EffectParameter;
+using effects::Spread;
 
 /// One instance of an effect with its values; names as in the catalogue.
 struct EffectInstance {
@@ -63,32 +33,17 @@ struct ParameterAccess {
     std::vector<std::string> keys;
 };
 
-/// A band of frequencies in which an effect shows, Hz, for a car of some 10 t axle load at 80 km/h.
-struct Band {
-    double low_hz;
-    double high_hz;
-};
-
 /// Why an effect cannot be added to a case, and what case it would need.
 struct Obstacle {
     std::string problem;
     std::string allowed;
 };
 
-struct Effect {
-    std::string id;    ///< as in the catalogue
-    std::string says;  ///< what was left out, one sentence in plain words
-    std::string equation;
-    std::string source;  ///< literature
-    std::vector<EffectParameter> parameters;
-    std::vector<EffectChoice> choices;
-    std::vector<Element> elements;  ///< where it sits; several when a choice decides
-    std::vector<Band> bands;
-    std::string mimics;         ///< what looks like it, and what would tell them apart
-    std::string not_told = {};  ///< what of its law no recording of the usual kind tells: said wherever it is named
+/// What an effect does to the model, and what a diagnosis has to know of that. What it is called and which numbers it
+/// has stands in effects/catalogue.
+struct EffectInModel {
     /// in its range it is never slight: screening looks at typical values instead of near nothing
     bool abrupt = false;
-    int most_instances = 1;  ///< of one variant in a set
     /// its law is an approximation (linearised about the level of vibration, or one that nothing in time obeys): part
     /// of it stays unexplained
     bool approximate = false;
@@ -102,16 +57,29 @@ struct Effect {
     /// retuning moves the same within its belief: where that is given up for a name the recordings themselves need gain
     /// nothing
     bool retuned = false;
-    /// what it does differs with the wheel load of a recording: a free correction, the same for all of them, need not
-    /// show it
+    /// the pads are others under another wheel load: a free correction, the same for all recordings, need not show it,
+    /// and whatever moves the load moves the track
     bool follows_load = false;
+    bool follows_level = false;  ///< it is linearised about the level of vibration: what excites changes its law
+    bool needs_train = false;    ///< a track without the load of wheels does not show it
+    /// nothing says where in their ranges its numbers lie beside its strength: each is looked for from both ends and
+    /// the middle
+    bool looked_for_over_ranges = false;
+    bool needs_time_series = false;  ///< spectra without cross-spectra do not show it
+    bool needs_lines = false;        ///< it shows by the height of spectral lines, which quoted points do not have
     /// What in the case forbids the effect (it is there already, or something else overrides it); null: nothing can.
-    std::function<std::optional<Obstacle>(const pem::CaseParameters&)> obstacle;
+    std::function<std::optional<Obstacle>(const pem::CaseParameters&)> obstacle = {};
     /// Turns a believed case into one with the effect by setting data. The instance states every parameter. Adds to
     /// what the case has of the same kind, so that several effects do not depend on the order in which they are
     /// applied.
     std::function<void(pem::CaseParameters&, const EffectInstance&, const ParameterAccess&)> apply;
 };
+
+/// An effect of the library: its nouns and its physics.
+struct Effect : effects::EffectDescription, EffectInModel {};
+
+/// What the files of diagnosis/effects do to the model, by identifier: written by the build.
+std::map<std::string, EffectInModel> effects_in_model();
 
 /// The library, in the order of the catalogue.
 const std::vector<Effect>& effects();
@@ -143,7 +111,10 @@ std::vector<std::size_t> application_order(const std::vector<EffectInstance>& in
 void apply(const std::vector<EffectInstance>& instances, const ParameterAccess& access, pem::CaseParameters& parameters,
            bool force = false);
 
-/// The reference page of the library, Markdown.
-std::string describe_effects();
+/// A number of the case that is wrong by a factor.
+EffectInstance wrong_number(const std::string& key, double factor);
+
+/// The instance says that a number of the case is wrong.
+bool is_wrong_number(const EffectInstance& instance);
 
 }  // namespace railpem::diagnosis

@@ -1,16 +1,12 @@
 #include "diagnosis/effects/element.hpp"
 
 #include <array>
-#include <cassert>
 #include <string_view>
 #include <utility>
 
 namespace railpem::diagnosis {
 
 namespace {
-
-constexpr auto kNames = std::to_array<std::string_view>(
-    {"secondary", "primary", "body", "bogie", "wheel", "contact", "rail", "pad", "support", "irregularity", "sensor"});
 
 /// Beginnings of keys; the first that fits decides.
 constexpr auto kKeys = std::to_array<std::pair<std::string_view, Element>>({
@@ -32,11 +28,6 @@ constexpr auto kKeys = std::to_array<std::pair<std::string_view, Element>>({
 });
 
 }  // namespace
-
-std::string element_name(Element element) {
-    assert(static_cast<std::size_t>(element) < kNames.size());
-    return std::string(kNames[static_cast<std::size_t>(element)]);
-}
 
 Element element_of_key(const std::string& key) {
     for (const auto& [beginning, element] : kKeys)

@@ -1,39 +1,10 @@
-#include "diagnosis/effects/catalogue.hpp"
+#include "diagnosis/effects/effect.hpp"
 
 namespace railpem::diagnosis {
 
-Effect irregularity_spectrum() {
+EffectInModel irregularity_spectrum() {
     return {
-        .id = "irregularity-spectrum",
-        .says =
-            "the track is rougher or smoother than believed, or its roughness is spread differently over the "
-            "wavelengths",
-        .equation = "S(n) × 10^(level/10)·(λ/3 m)^(slope/(10·log10 2)); adds to the case's own level and slope",
-        .source = "Hamid & Yang 1981, Transportation Research Record 838 (spread between tracks and classes)",
-        .parameters = {{.name = "level_db",
-                        .unit = "dB",
-                        .low = -20.0,
-                        .high = 20.0,
-                        .typical = 4.0,
-                        .strength = true,
-                        .nothing = 0.0,
-                        .says = "level at a wavelength of 3 m"},
-                       {.name = "slope_db_per_octave",
-                        .unit = "dB",
-                        .low = -6.0,
-                        .high = 6.0,
-                        .typical = 1.0,
-                        .strength = true,
-                        .nothing = 0.0,
-                        .says = "change per octave of wavelength, positive: long waves stronger"}},
-        .elements = {Element::irregularity},
-        .bands = {{0.3, 200.0}},
-        .mimics =
-            "A gain that is wrong on all channels alike, and any effect below the wheels at one speed: all of them "
-            "multiply every channel by one common factor. Over several speeds irregularity stays at its wavelength "
-            "and structure at its frequency; a measured irregularity decides.",
         .retuned = true,
-        .obstacle = {},
         .apply =
             [](pem::CaseParameters& parameters, const EffectInstance& effect, const ParameterAccess&) {
                 parameters.irregularity.level_db += effect.values.at("level_db");

@@ -1,38 +1,18 @@
 #include <algorithm>
 
-#include "diagnosis/effects/catalogue.hpp"
+#include "diagnosis/effects/effect.hpp"
+#include "effects/catalogue.hpp"
 
 namespace railpem::diagnosis {
 
 const std::vector<Effect>& effects() {
-    static const std::vector<Effect> library = {
-        pad_frequency_stiffening(),
-        pad_preload_stiffening(),
-        pad_hysteresis(),
-        rail_shear(),
-        support_compliance(),
-        sleeper_flexibility(),
-        rail_damper(),
-        failed_fasteners(),
-        sleeper_passing(),
-        wheel_out_of_roundness(),
-        rail_corrugation(),
-        rail_joints(),
-        irregularity_spectrum(),
-        body_bending(),
-        wheelset_bending(),
-        bogie_mounted_mass(),
-        primary_damper_series_stiffness(),
-        secondary_damper_series_stiffness(),
-        suspension_friction(),
-        contact_nonlinearity(),
-        contact_filter(),
-        sensor_gain(),
-        sensor_resonance(),
-        sensor_noise(),
-        timing_skew(),
-        parameter_error(),
-    };
+    static const std::vector<Effect> library = [] {
+        const std::map<std::string, EffectInModel> in_model = effects_in_model();
+        std::vector<Effect> all;
+        for (const effects::EffectDescription& effect : effects::catalogue())
+            if (!effect.only_simulated) all.push_back({effect, in_model.at(effect.id)});
+        return all;
+    }();
     return library;
 }
 
@@ -40,6 +20,14 @@ const Effect* find_effect(const std::string& id) {
     const auto found =
         std::find_if(effects().begin(), effects().end(), [&](const Effect& effect) { return effect.id == id; });
     return found == effects().end() ? nullptr : &*found;
+}
+
+EffectInstance wrong_number(const std::string& key, double factor) {
+    return {.effect = effects::wrong_number_id(), .values = {{"factor", factor}}, .choices = {{"parameter", key}}};
+}
+
+bool is_wrong_number(const EffectInstance& instance) {
+    return instance.effect == effects::wrong_number_id();
 }
 
 }  // namespace railpem::diagnosis

@@ -3,7 +3,9 @@
 
 #include <Eigen/Core>
 #include <complex>
+#include <map>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "diagnosis/expectation/expectation_settings.hpp"
@@ -74,8 +76,9 @@ struct ExpectationCache {
     std::shared_ptr<const pem::RailModel> rail;  ///< none of scalars
     /// on the lines of the transfers, and on those of pem::linearise()
     std::vector<pem::RailGroup> rails, level_rails;
-    pem::WheelTransfers transfers, of_irregularity;  ///< the latter with what comes back through the supports
-    std::vector<pem::SensorParameters> sensors;      ///< that are part of them
+    pem::WheelTransfers transfers, of_irregularity;            ///< the latter with what comes back through the supports
+    std::vector<pem::SensorParameters> sensors;                ///< that are part of them
+    std::map<std::string, lanes::FactorCurve> sensor_factors;  ///< and pem::Modifiers::sensors
     pem::TrackExcitation track;
     vehicle::FrictionDamping friction;  ///< as linearised: where the next linearisation starts
     /// ExpectedSpectra::values of what the suspension's own forces add; empty without any

@@ -14,9 +14,8 @@
 #include "diagnosis/expectation/kernel_smoothing.hpp"
 #include "diagnosis/expectation/source_spectra.hpp"
 #include "pem/coupling/excitation.hpp"
+#include "pem/coupling/excite.hpp"
 #include "pem/coupling/linearise.hpp"
-#include "pem/coupling/sensor_chain.hpp"
-#include "pem/coupling/solution.hpp"
 #include "pem/coupling/wheel_transfers.hpp"
 
 namespace railpem::diagnosis {
@@ -84,7 +83,8 @@ pem::WheelTransfers channel_transfers(const pem::CaseParameters& parameters, con
     for (const ObservedChannel& channel : channels) responses.push_back(channel.response);
     pem::WheelTransfers transfers = pem::wheel_transfers(model, from, step, lines, responses, options.threads, rails);
     for (std::size_t c = 0; c < channels.size(); ++c) {
-        const bool plain = channels[c].integrations == 0 && parameters.sensors.empty();
+        const bool plain =
+            channels[c].integrations == 0 && parameters.sensors.empty() && parameters.modifiers.sensors.empty();
         for (std::size_t line = 0; !plain && line < lines; ++line) {
             const Complex factor = channel_factor(parameters, channels[c], from + static_cast<double>(line) * step);
             for (std::size_t j = 0; j < 4; ++j) transfers.values[(line * channels.size() + c) * 4 + j] *= factor;
@@ -161,6 +161,7 @@ ExpectationCache prepared(const pem::CaseParameters& parameters, double speed,
                           : pem::track_excitation(parameters, wheels, speed, &model, options.sharp);
     own.of_irregularity = own.transfers;
     own.sensors = parameters.sensors;
+    own.sensor_factors = parameters.modifiers.sensors;
     if (!model.rail->equal_seats()) return own;
     own.modulation = pem::modulation_transfers(parameters, model, speed, std::move(rolling),
                                                same_rail ? &known->modulation : nullptr);
@@ -190,8 +191,10 @@ ExpectationCache with_other_sensors(const ExpectationCache& known, const pem::Ca
                                     std::size_t first_bin) {
     pem::CaseParameters before = parameters;
     before.sensors = known.sensors;
+    before.modifiers.sensors = known.sensor_factors;
     ExpectationCache own = known;
     own.sensors = parameters.sensors;
+    own.sensor_factors = parameters.modifiers.sensors;
     see_forces(channels, before, parameters, bin_hz, first_bin, own);
     for (std::size_t c = 0; c < channels.size(); ++c)
         for (std::size_t line = 0; line < known.transfers.lines; ++line) {
@@ -227,7 +230,7 @@ void add_broadband(const pem::CaseParameters& parameters, const pem::Excitation&
     std::vector<pem::DelayedSpectrum> faint = pem::pad_distortion(parts.pads, excitation.broadband, wheels, speed);
     std::ranges::move(pem::distortion_sources(options.contacts, parameters), std::back_inserter(faint));
     add_as_they_are(parts.transfers, faint, wheels, speed, bin, speeds, expected);
-    if (!parameters.wheels_own.empty())
+    if (!parameters.modifiers.wheels_own.empty())
         add_wheels_own(parameters, parts.transfers, excitation.broadband.front(), wheels, speed, bin, expected);
     add_felt(parts.transfers, parts.felt, excitation.broadband.front(), wheels, speed, bin, speeds, expected);
 }

@@ -127,7 +127,7 @@ void add_wheels_own(const pem::CaseParameters& parameters, const pem::WheelTrans
                     ExpectedSpectra& expected) {
     std::vector<pem::DelayedSpectrum> own(
         4, {.name = "wheels_own",
-            .psd_m2_per_hz = [&](double f) { return parameters.wheels_own.at(f) * source.psd_m2_per_hz(f); },
+            .psd_m2_per_hz = [&](double f) { return parameters.modifiers.wheels_own.at(f) * source.psd_m2_per_hz(f); },
             .share = {}});
     for (std::size_t wheel = 0; wheel < 4; ++wheel) own[wheel].share[wheel] = 1.0;
     add_as_they_are(transfers, own, wheels, speed, bin_hz, nullptr, expected);  // nothing between wheels

@@ -14,7 +14,7 @@ void add_as_they_are(const pem::WheelTransfers& transfers, const std::vector<pem
                      const std::vector<double>& wheels_m, double speed_m_per_s, double bin_hz,
                      const SpeedMixture* speeds, ExpectedSpectra& expected);
 
-/// Adds what each wheel meets by itself (CaseParameters::wheels_own) of a source: a local matter at every frequency,
+/// Adds what each wheel meets by itself (Modifiers::wheels_own) of a source: a local matter at every frequency,
 /// without delays.
 void add_wheels_own(const pem::CaseParameters& parameters, const pem::WheelTransfers& transfers,
                     const pem::DelayedSpectrum& source, const std::vector<double>& wheels_m, double speed_m_per_s,

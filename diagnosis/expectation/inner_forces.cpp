@@ -37,20 +37,20 @@ void add_inner_forces(const pem::CaseParameters& parameters, const SolvedLines& 
 }
 
 bool has_own_forces(const pem::CaseParameters& parameters) {
-    return !parameters.vehicle.primary.own_force.empty() || !parameters.vehicle.secondary.own_force.empty();
+    return !parameters.modifiers.primary_forces.empty() || !parameters.modifiers.secondary_forces.empty();
 }
 
 void add_own_forces(const pem::CaseParameters& parameters, const SolvedLines& solved,
                     const std::vector<ObservedChannel>& channels, double bin_hz, ExpectedSpectra& expected) {
-    const auto add = [&](vehicle::Law law, long elements, const vehicle::ForceSpectrum& force) {
+    const auto add = [&](vehicle::Law law, long elements, const pem::ForceSpectrum& force) {
         if (force.empty()) return;
         add_inner_forces(
             parameters, solved, law,
             [&](double f) { return RowMatrix(force.at(f) * RowMatrix::Identity(elements, elements)); }, channels,
             bin_hz, expected);
     };
-    add(vehicle::Law::primary, 4, parameters.vehicle.primary.own_force);
-    add(vehicle::Law::secondary, 2, parameters.vehicle.secondary.own_force);
+    add(vehicle::Law::primary, 4, parameters.modifiers.primary_forces);
+    add(vehicle::Law::secondary, 2, parameters.modifiers.secondary_forces);
 }
 
 }  // namespace railpem::diagnosis

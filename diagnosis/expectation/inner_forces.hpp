@@ -38,7 +38,7 @@ void add_inner_forces(const pem::CaseParameters& parameters, const SolvedLines& 
                       const std::function<RowMatrix(double frequency_hz)>& psd,
                       const std::vector<ObservedChannel>& channels, double bin_hz, ExpectedSpectra& expected);
 
-/// Whether a stage has a ForceSpectrum of its own.
+/// Whether a stage has forces of its own (pem::Modifiers).
 bool has_own_forces(const pem::CaseParameters& parameters);
 
 /// Adds the responses to those.

@@ -6,7 +6,7 @@
 
 #include "diagnosis/expectation/expectation_settings.hpp"
 #include "pem/coupling/sensor_chain.hpp"
-#include "pem/coupling/solution.hpp"
+#include "pem/response_names.hpp"
 
 namespace railpem::diagnosis {
 
@@ -42,9 +42,10 @@ std::string response_of(const recordings::ChannelDescription& channel, const pem
 Complex channel_factor(const pem::CaseParameters& parameters, const ObservedChannel& channel, double frequency) {
     Complex factor = 1.0;
     for (int i = 0; i < channel.integrations; ++i) factor /= Complex(0.0, 2.0 * std::numbers::pi * frequency);
+    const std::string& where = pem::response_names()[channel.response].where;
     for (const pem::SensorParameters& sensor : parameters.sensors)
-        if (pem::measured_response(sensor.channel) == pem::response_names()[channel.response].where)
-            factor *= pem::sensor_transfer(sensor, frequency);
+        if (pem::measured_response(sensor.channel) == where) factor *= pem::sensor_transfer(sensor, frequency);
+    if (!parameters.modifiers.sensors.empty()) factor *= pem::sensor_correction(parameters.modifiers, where, frequency);
     return factor;
 }
 

@@ -10,7 +10,7 @@
 #include "lanes/complex_lanes.hpp"
 #include "pem/coupling/excitation.hpp"
 #include "pem/coupling/sensor_chain.hpp"
-#include "pem/coupling/solution.hpp"
+#include "pem/response_names.hpp"
 
 namespace railpem::diagnosis {
 

@@ -8,7 +8,7 @@
 
 #include "diagnosis/fit/synthesis.hpp"
 #include "parameters/parameter_error.hpp"
-#include "pem/coupling/solution.hpp"
+#include "pem/response_names.hpp"
 
 namespace railpem::diagnosis {
 

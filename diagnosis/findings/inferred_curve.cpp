@@ -23,8 +23,7 @@ Complex pad_stiffness(const track::TrackParameters& track, double frequency_hz) 
            Complex(0.0, 2.0 * std::numbers::pi * frequency_hz * track::pad_damping(pads));
 }
 
-Complex suspension(vehicle::SuspensionParameters law, double omega) {
-    law.correction = {};
+Complex suspension(const vehicle::SuspensionParameters& law, double omega) {
     return vehicle::suspension_stiffness(law, 0.0, lanes::broadcast(omega))[0];
 }
 

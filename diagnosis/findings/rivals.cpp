@@ -34,9 +34,7 @@ Rival rival_of(const FittedSet& set, const FittedSet& best, const Findings& foun
     for (const std::string& key : set.released) {
         std::size_t u = 0;
         set.fit.find(key, &u);
-        rival.instances.push_back({.effect = "parameter-error",
-                                   .values = {{"factor", std::exp(set.fit.values[u])}},
-                                   .choices = {{"parameter", key}}});
+        rival.instances.push_back(wrong_number(key, std::exp(set.fit.values[u])));
     }
     rival.probability =
         probability_with(found.naming, found.decision, [&](const FittedSet& other) { return &other == &set; });

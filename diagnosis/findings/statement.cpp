@@ -68,7 +68,7 @@ std::string beginning(std::string text) {
 
 bool names_only_numbers(const Diagnosis& diagnosis) {
     return std::all_of(diagnosis.omitted.begin(), diagnosis.omitted.end(),
-                       [](const NamedEffect& own) { return own.instance.effect == "parameter-error"; });
+                       [](const NamedEffect& own) { return is_wrong_number(own.instance); });
 }
 
 std::string how_far(const std::vector<RetunedNumber>& numbers) {

@@ -149,12 +149,9 @@ class WritingUp {
         std::size_t u = 0;
         named_.fit.find(key, &u);
         const double reach = kNinety * named_.fit.deviation(u), x = named_.fit.values[u];
-        NamedEffect named{.instance = {.effect = "parameter-error",
-                                       .values = {{"factor", std::exp(x)}},
-                                       .choices = {{"parameter", key}}},
-                          .element = element_of_key(key)};
-        named.says = find_effect("parameter-error")->says;
-        named.source = find_effect("parameter-error")->source;
+        NamedEffect named{.instance = wrong_number(key, std::exp(x)), .element = element_of_key(key)};
+        named.says = find_effect(named.instance.effect)->says;
+        named.source = find_effect(named.instance.effect)->source;
         named.parameters.push_back({"factor", std::exp(x), std::exp(x - reach), std::exp(x + reach), "1"});
         named.probability = probability_with(naming_, decision, [&](const FittedSet& set) {
             return std::find(set.released.begin(), set.released.end(), key) != set.released.end();

@@ -10,6 +10,7 @@
 #include "diagnosis/model/reuse.hpp"
 #include "diagnosis/observations/channel_scales.hpp"
 #include "pem/coupling/excitation.hpp"
+#include "pem/coupling/excite.hpp"
 
 namespace railpem::diagnosis {
 

@@ -8,7 +8,7 @@
 #include "diagnosis/fit/fit_settings.hpp"
 #include "diagnosis/observations/channel_scales.hpp"
 #include "parameters/parameter_error.hpp"
-#include "pem/coupling/solution.hpp"
+#include "pem/response_names.hpp"
 #include "recordings/estimates/averages.hpp"
 #include "spectra/complex_normal.hpp"
 

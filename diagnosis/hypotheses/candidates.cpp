@@ -11,8 +11,7 @@
 
 #include "diagnosis/hypotheses/proposers/comb_relatives.hpp"
 #include "diagnosis/observations/shows.hpp"
-#include "pem/coupling/sensor_chain.hpp"
-#include "pem/coupling/solution.hpp"
+#include "pem/response_names.hpp"
 
 namespace railpem::diagnosis {
 
@@ -88,7 +87,7 @@ std::vector<double> looking_points(const Effect& effect, const EffectParameter& 
                          : std::vector<double>{};
     }
     if (!parameter.strength) {
-        if (effect.id == "support-compliance") return grid(parameter, parameter.low, parameter.high, kOtherPoints);
+        if (effect.looked_for_over_ranges) return grid(parameter, parameter.low, parameter.high, kOtherPoints);
         return {parameter.typical};
     }
     if (is_one_of_several(effect, parameter))
@@ -240,7 +239,7 @@ CandidateList candidates(const BelievedCase& believed, const Trial& trial,
     CandidateList list;
     const pem::CaseParameters parameters = case_of(trial, believed, observations.front());
     for (const Effect& effect : effects()) {
-        if (effect.id == "parameter-error") continue;
+        if (effect.wrong_number) continue;
         if (std::none_of(observations.begin(), observations.end(),
                          [&](const Observation& own) { return could_show(own, effect); })) {
             list.not_tested.push_back({effect.id, "it cannot show in " + kinds_in_words(observations)});

@@ -27,7 +27,7 @@ struct CandidateList {
 
 /// All variants of all effects that the case allows and the recordings could show: each wheel and order whose line lies
 /// in the band, each channel, each stage, and a grid over parameters that are no strength (frequencies, wavelengths).
-/// Values beyond tolerance (parameter-error) are not among them: the retuned fit tells those by itself.
+/// Values beyond tolerance are not among them: the retuned fit tells those by itself.
 CandidateList candidates(const BelievedCase& believed, const Trial& trial,
                          const std::vector<Observation>& observations);
 
@@ -38,7 +38,7 @@ Candidate started_at(const Candidate& candidate, double strength);
 /// The same effect in the same place: identifier and choices agree.
 bool same_variant(const EffectInstance& first, const EffectInstance& second);
 
-/// "wheel-out-of-roundness (wheel 2, order 3)".
+/// The identifier with its choices: "… (wheel 2, order 3)".
 std::string label_of(const EffectInstance& instance);
 
 }  // namespace railpem::diagnosis

@@ -10,7 +10,7 @@
 #include <type_traits>
 
 #include "diagnosis/observations/shows.hpp"
-#include "pem/coupling/solution.hpp"
+#include "pem/response_names.hpp"
 
 namespace railpem::diagnosis {
 
@@ -24,34 +24,32 @@ constexpr double kDeviation = 0.3;       ///< of a correction: what is left out 
 constexpr double kForceDeviation = 0.1;  ///< of the power of forces of its own, in multiples of the reference
 constexpr std::size_t kForcePart = 2;    ///< behind real and imaginary part
 
-/// The correction of a place of the structure, null for the others; of a constant case a constant one.
-template <class Case>
-auto* structure_curve(Case& parameters, const CorrectionPlace& place) {
-    using Curve = std::conditional_t<std::is_const_v<Case>, const lanes::FactorCurve, lanes::FactorCurve>;
+/// The correction of a place of the structure, null for the others; of constant modifiers a constant one.
+template <class Modifiers>
+auto* structure_curve(Modifiers& modifiers, const CorrectionPlace& place) {
+    using Curve = std::conditional_t<std::is_const_v<Modifiers>, const lanes::FactorCurve, lanes::FactorCurve>;
     Curve* none = nullptr;
     const std::size_t which = static_cast<std::size_t>(std::max(0, place.which - 1));
     if (place.attached) return none;
     switch (place.element) {
         case Element::secondary:
-            return &parameters.vehicle.secondary.correction;
+            return &modifiers.vehicle.secondary;
         case Element::primary:
-            return &parameters.vehicle.primary.correction;
+            return &modifiers.vehicle.primary;
         case Element::body:
-            return &parameters.vehicle.body_correction;
+            return &modifiers.vehicle.body;
         case Element::bogie:
-            return place.which == 0 ? &parameters.vehicle.bogie_correction
-                                    : &parameters.vehicle.one_bogie_correction[which];
+            return place.which == 0 ? &modifiers.vehicle.bogies : &modifiers.vehicle.one_bogie[which];
         case Element::wheel:
-            return place.which == 0 ? &parameters.vehicle.wheel_correction
-                                    : &parameters.vehicle.one_wheelset_correction[which];
+            return place.which == 0 ? &modifiers.vehicle.wheelsets : &modifiers.vehicle.one_wheelset[which];
         case Element::contact:
-            return &parameters.contact.correction;
+            return &modifiers.contact;
         case Element::rail:
-            return &parameters.track.rail.correction;
+            return &modifiers.track.rail;
         case Element::pad:
-            return &parameters.track.pads.correction;
+            return &modifiers.track.pads;
         case Element::support:
-            return &parameters.track.support.correction;
+            return &modifiers.track.support;
         case Element::irregularity:
         case Element::sensor:
             break;
@@ -70,17 +68,14 @@ auto& attachments_of(Car& car, const CorrectionPlace& place) {
     return place.element == Element::body ? car.body_attachments : car.between_bogies;
 }
 
-lanes::FactorCurve& attached_curve(vehicle::VehicleParameters& car, const CorrectionPlace& place, Point point) {
+lanes::FactorCurve& attached_curve(vehicle::VehicleModifiers& car, const CorrectionPlace& place, Point point) {
     vehicle::Attachments& own = attachments_of(car, place);
     return point == Point::centre ? own.centre : point == Point::front ? own.front : own.rear;
 }
 
-lanes::FactorCurve& curve_of(pem::CaseParameters& parameters, const CorrectionPlace& place) {
-    if (lanes::FactorCurve* structure = structure_curve(parameters, place)) return *structure;
-    for (pem::SensorParameters& sensor : parameters.sensors)
-        if (sensor.channel == place.channel) return sensor.correction;
-    parameters.sensors.push_back({.channel = place.channel});
-    return parameters.sensors.back().correction;
+lanes::FactorCurve& curve_of(pem::Modifiers& modifiers, const CorrectionPlace& place) {
+    if (lanes::FactorCurve* structure = structure_curve(modifiers, place)) return *structure;
+    return modifiers.sensors[place.channel];
 }
 
 std::string channel_name(std::size_t response) {
@@ -91,8 +86,7 @@ std::string channel_name(std::size_t response) {
 
 /// A number of its own for one node of a curve. `nothing`: value of the curve without a correction.
 Unknown curve_unknown(const std::string& where, Element element, const std::vector<double>& nodes, std::size_t node,
-                      bool imaginary, double nothing,
-                      std::function<lanes::FactorCurve&(pem::CaseParameters&)> curve_in) {
+                      bool imaginary, double nothing, std::function<lanes::FactorCurve&(pem::Modifiers&)> curve_in) {
     return {
         .kind = UnknownKind::correction,
         .name = fmt::format("correction of {} at {:.3g} Hz, {}", where, nodes[node], imaginary ? "imaginary" : "real"),
@@ -102,7 +96,7 @@ Unknown curve_unknown(const std::string& where, Element element, const std::vect
         .step = kBeliefs.number_step,
         .element = element,
         .set = [curve_in = std::move(curve_in), nodes, node, imaginary, nothing](Trial& trial, double x) {
-            lanes::FactorCurve& curve = curve_in(trial.numbers);
+            lanes::FactorCurve& curve = curve_in(trial.numbers.modifiers);
             if (curve.empty()) {
                 curve.frequency_hz = nodes;
                 curve.value.assign(nodes.size(), nothing);
@@ -120,15 +114,15 @@ Unknown structure_unknown(const CorrectionPlace& place, const std::vector<double
                                                            (place.which == 0 ? "" : fmt::format(" {}", place.which));
     return curve_unknown(
         where, place.element, nodes, node, imaginary, 1.0,
-        [place](pem::CaseParameters& parameters) -> lanes::FactorCurve& { return curve_of(parameters, place); });
+        [place](pem::Modifiers& modifiers) -> lanes::FactorCurve& { return curve_of(modifiers, place); });
 }
 
 Unknown attached_unknown(const CorrectionPlace& place, Point point, const std::vector<double>& nodes, std::size_t node,
                          bool imaginary) {
     const std::string which = place.element == Element::body ? "body" : "bogies against each other";
     return curve_unknown(fmt::format("{}, {}", which, point_name(point)), place.element, nodes, node, imaginary, 0.0,
-                         [place, point](pem::CaseParameters& parameters) -> lanes::FactorCurve& {
-                             return attached_curve(parameters.vehicle, place, point);
+                         [place, point](pem::Modifiers& modifiers) -> lanes::FactorCurve& {
+                             return attached_curve(modifiers.vehicle, place, point);
                          });
 }
 
@@ -141,9 +135,9 @@ Unknown force_unknown(const CorrectionPlace& place, const std::vector<double>& n
             .step = kBeliefs.number_step,
             .element = place.element,
             .set = [element = place.element, nodes, node](Trial& trial, double x) {
-                vehicle::ForceSpectrum& own =
-                    (element == Element::primary ? trial.numbers.vehicle.primary : trial.numbers.vehicle.secondary)
-                        .own_force;
+                pem::Modifiers& modifiers = trial.numbers.modifiers;
+                pem::ForceSpectrum& own =
+                    element == Element::primary ? modifiers.primary_forces : modifiers.secondary_forces;
                 if (own.empty()) {
                     own.frequency_hz = nodes;
                     own.share.assign(nodes.size(), 0.0);
@@ -162,7 +156,7 @@ Unknown wheels_own_unknown(const std::vector<double>& nodes, std::size_t node) {
             .step = kBeliefs.number_step,
             .element = Element::irregularity,
             .set = [nodes, node](Trial& trial, double x) {
-                pem::WheelsOwn& own = trial.numbers.wheels_own;
+                pem::WheelsOwn& own = trial.numbers.modifiers.wheels_own;
                 if (own.empty()) {
                     own.frequency_hz = nodes;
                     own.share.assign(nodes.size(), 0.0);
@@ -197,11 +191,11 @@ bool is_wheels_own(const CorrectionPlace& place) {
 
 std::complex<double> correction_at(const pem::CaseParameters& parameters, const CorrectionPlace& place, double omega) {
     if (!place.attached) {
-        const lanes::FactorCurve* own = structure_curve(parameters, place);
+        const lanes::FactorCurve* own = structure_curve(parameters.modifiers, place);
         return own ? own->at(omega) : 1.0;
     }
     std::complex<double> factor = 1.0;
-    const vehicle::Attachments& own = attachments_of(parameters.vehicle, place);
+    const vehicle::Attachments& own = attachments_of(parameters.modifiers.vehicle, place);
     for (const lanes::FactorCurve* curve : {&own.centre, &own.front, &own.rear})
         if (!curve->empty()) factor += curve->at(omega);
     return factor;
@@ -210,7 +204,7 @@ std::complex<double> correction_at(const pem::CaseParameters& parameters, const 
 double correction_weight(const CorrectionPlace& place, std::size_t part, const std::vector<double>& nodes,
                          std::size_t node, double frequency_hz) {
     if (place.forces && part == (is_wheels_own(place) ? 0 : kForcePart))
-        return vehicle::ForceSpectrum::weight(nodes, node, frequency_hz);
+        return pem::ForceSpectrum::weight(nodes, node, frequency_hz);
     if (place.element == Element::irregularity) {
         spectra::LogFrequencySpline own{nodes, std::vector<double>(nodes.size(), 0.0)};
         own.log_factor[node] = 1.0;

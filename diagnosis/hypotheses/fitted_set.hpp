@@ -26,7 +26,7 @@ Unknown released(Unknown number);
 /// place.
 struct FittedSet {
     std::vector<Candidate> effects;     ///< as started; the fitted values are in fit.trial.effects
-    std::vector<std::string> released;  ///< keys of numbers whose belief was given up (parameter-error)
+    std::vector<std::string> released;  ///< keys of numbers whose belief was given up
     std::vector<CorrectionPlace> anonymous;
     bool beyond = false;  ///< anonymous: no correction, but effects beyond the range of their physics
     Fit fit;

@@ -9,6 +9,7 @@
 #include "diagnosis/expectation/friction_spectra.hpp"
 #include "diagnosis/hypotheses/screen.hpp"
 #include "parameters/parameter_error.hpp"
+#include "pem/coupling/excite.hpp"
 #include "pem/coupling/linearise.hpp"
 #include "pem/threads.hpp"
 

@@ -36,7 +36,7 @@ void tell_ground_from_pads(PlaceStudy& study) {
     for (FittedSet& set : study.anonymous) {
         CorrectionPlace& place = set.anonymous.front();
         if (place.element != Element::pad || !place.forces) continue;
-        const std::optional<double> resonance = resonance_of(set.fit.trial.numbers.wheels_own);
+        const std::optional<double> resonance = resonance_of(set.fit.trial.numbers.modifiers.wheels_own);
         if (!resonance) continue;
         place.element = Element::support;
         add_ground(study.at_retuned, *resonance);

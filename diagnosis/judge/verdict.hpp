@@ -114,7 +114,7 @@ bool contains(const FittedSet& larger, const FittedSet& smaller);
 /// It has every member of `smaller`, and more.
 bool extends(const FittedSet& larger, const FittedSet& smaller);
 
-/// Labels of a set's members, parameter-errors included.
+/// Labels of a set's members, wrong numbers included.
 std::vector<std::string> labels_of(const FittedSet& set);
 
 /// The same where friction is of a law that has no name here: "unknown" in its place.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "pem/coupling/excite.hpp"
 #include "pem/coupling/linearise.hpp"
 
 namespace railpem::diagnosis {

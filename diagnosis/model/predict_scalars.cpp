@@ -6,10 +6,11 @@
 
 #include "diagnosis/observations/reference_band.hpp"
 #include "pem/coupling/excitation.hpp"
+#include "pem/coupling/excite.hpp"
 #include "pem/coupling/linearise.hpp"
 #include "pem/coupling/sensor_chain.hpp"
-#include "pem/coupling/solution.hpp"
 #include "pem/coupling/track_response.hpp"
+#include "pem/response_names.hpp"
 #include "spectra/third_octaves.hpp"
 #include "vehicle/half_vehicle.hpp"
 

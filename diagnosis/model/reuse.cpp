@@ -13,9 +13,8 @@ namespace {
 bool depends_on_level(const Trial& trial) {
     return trial.numbers.vehicle.primary.friction_force_n > 0.0 ||
            trial.numbers.vehicle.secondary.friction_force_n > 0.0 || trial.numbers.contact.nonlinearity_factor > 0.0 ||
-           std::any_of(trial.effects.begin(), trial.effects.end(), [](const EffectInstance& effect) {
-               return effect.effect == "suspension-friction" || effect.effect == "contact-nonlinearity";
-           });
+           std::any_of(trial.effects.begin(), trial.effects.end(),
+                       [](const EffectInstance& effect) { return find_effect(effect.effect)->follows_level; });
 }
 
 Reuse shared_with_element(const Trial& trial, Element element) {

@@ -10,7 +10,7 @@
 #include "diagnosis/observations/measured_irregularity.hpp"
 #include "diagnosis/observations/shows.hpp"
 #include "pem/contact.hpp"
-#include "pem/coupling/solution.hpp"
+#include "pem/response_names.hpp"
 
 namespace railpem::diagnosis {
 
@@ -204,7 +204,7 @@ pem::CaseParameters case_of(const Trial& trial, const BelievedCase& believed, co
     pem::CaseParameters parameters = trial.numbers;
     apply(trial.effects, believed.access, parameters, true);
     parameters.vehicle.payload_kg = observation.payload_kg;
-    for (vehicle::ForceSpectrum* own : {&parameters.vehicle.primary.own_force, &parameters.vehicle.secondary.own_force})
+    for (pem::ForceSpectrum* own : {&parameters.modifiers.primary_forces, &parameters.modifiers.secondary_forces})
         if (!own->empty() && !observation.fitted.values.empty())
             own->reference_n2_per_hz = force_reference(observation, own->frequency_hz);
     // Quoted spectra and hammer tests do not say that the wheels moved; what the case says of it holds.

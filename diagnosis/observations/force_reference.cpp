@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "pem/coupling/solution.hpp"
+#include "pem/response_names.hpp"
 
 namespace railpem::diagnosis {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "pem/coupling/solution.hpp"
 #include "pem/distortion/contact_distortion.hpp"
+#include "pem/response_names.hpp"
 
 namespace railpem::diagnosis {
 

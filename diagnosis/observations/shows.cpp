@@ -6,15 +6,7 @@
 
 namespace railpem::diagnosis {
 
-namespace {
-
 using recordings::RecordingKind;
-
-bool is_one_of(const Effect& effect, std::initializer_list<const char*> ids) {
-    return std::any_of(ids.begin(), ids.end(), [&](const char* id) { return effect.id == id; });
-}
-
-}  // namespace
 
 bool reaches(const Observation& observation, Element element) {
     if (!observation.scalar || !observation.scalar->of_track()) return true;
@@ -26,10 +18,9 @@ bool could_show(const Observation& observation, const Effect& effect) {
     const bool reached = std::any_of(effect.elements.begin(), effect.elements.end(),
                                      [&](Element element) { return reaches(observation, element); });
     if (!reached) return false;
-    if (observation.scalar->of_track()) return !is_one_of(effect, {"failed-fasteners", "pad-preload-stiffening"});
-    if (is_one_of(effect, {"timing-skew", "sleeper-passing"})) return false;
-    return observation.scalar->kind == RecordingKind::psd ||
-           !is_one_of(effect, {"wheel-out-of-roundness", "rail-joints", "failed-fasteners"});
+    if (observation.scalar->of_track()) return !effect.needs_train;
+    if (effect.needs_time_series) return false;
+    return observation.scalar->kind == RecordingKind::psd || !effect.needs_lines;
 }
 
 std::vector<std::string> scalar_basis(const std::vector<Observation>& observations) {

@@ -5,7 +5,8 @@
 #include <utility>
 
 #include "pem/contact.hpp"
-#include "pem/coupling/solution.hpp"
+#include "pem/rail/case_equilibrium.hpp"
+#include "pem/rail/make_rail.hpp"
 
 namespace railpem::pem {
 
@@ -14,19 +15,19 @@ using lanes::Complex;
 CoupledModel coupled_model(const CaseParameters& parameters, double speed_m_per_s) {
     const track::StaticEquilibrium equilibrium = case_equilibrium(parameters);
     CoupledModel model = coupled_model(
-        parameters, rail_model(parameters, vehicle::wheel_positions(parameters.vehicle), equilibrium, speed_m_per_s));
+        parameters, make_rail(parameters, vehicle::wheel_positions(parameters.vehicle), equilibrium, speed_m_per_s));
     if (parameters.track.pads.preload_strength > 0.0) model.warnings = equilibrium.warnings;
     return model;
 }
 
 CoupledModel coupled_model(const CaseParameters& parameters, std::shared_ptr<const RailModel> rail) {
     CoupledModel model;
-    model.car = vehicle::half_vehicle(parameters.vehicle);
+    model.car = vehicle::half_vehicle(parameters.vehicle, parameters.modifiers.vehicle);
     model.rail = std::move(rail);
     model.wheels_m = vehicle::wheel_positions(parameters.vehicle);
     const double constant = contact_constant(parameters.contact, parameters.vehicle.wheel_radius_m);
     model.contact_compliance.fill(1.0 / contact_stiffness(constant, wheel_load_n(parameters)));
-    model.contact_correction = parameters.contact.correction;
+    model.contact_factor = parameters.modifiers.contact;
     return model;
 }
 
@@ -49,11 +50,11 @@ void invert(WheelMatrix& m) {
 }
 
 void add_contact_compliance(const CoupledModel& model, lanes::Real omega, WheelMatrix& matrix) {
-    if (model.contact_correction.empty()) {
+    if (model.contact_factor.empty()) {
         for (int i = 0; i < 4; ++i) matrix[i][i].re += model.contact_compliance[i];
         return;
     }
-    const Complex inverse = lanes::reciprocal(model.contact_correction.at(omega));
+    const Complex inverse = lanes::reciprocal(model.contact_factor.at(omega));
     for (int i = 0; i < 4; ++i) matrix[i][i] += inverse * model.contact_compliance[i];
 }
 

@@ -9,6 +9,7 @@
 #include "lanes/complex_lanes.hpp"
 #include "pem/case_parameters.hpp"
 #include "pem/rail/rail_model.hpp"
+#include "pem/wheel_matrix.hpp"
 #include "vehicle/half_vehicle.hpp"
 
 namespace railpem::pem {
@@ -18,8 +19,8 @@ struct CoupledModel {
     vehicle::HalfVehicle car;
     std::shared_ptr<const RailModel> rail;
     std::vector<double> wheels_m;                ///< positions of the wheels, front first
-    std::array<double, 4> contact_compliance{};  ///< 1/K_h per wheel without the correction, m/N
-    lanes::FactorCurve contact_correction;       ///< of K_h, as in ContactParameters
+    std::array<double, 4> contact_compliance{};  ///< 1/K_h per wheel without its factor, m/N
+    lanes::FactorCurve contact_factor;           ///< on K_h, Modifiers::contact
     std::vector<std::string> warnings;
 };
 
@@ -29,9 +30,6 @@ CoupledModel coupled_model(const CaseParameters& parameters, double speed_m_per_
 /// The same on the `rail` of a case whose track, speed and wheels are the same, and its load where that stiffens the
 /// pads. Without warnings.
 CoupledModel coupled_model(const CaseParameters& parameters, std::shared_ptr<const RailModel> rail);
-
-using WheelVector = std::array<lanes::Complex, 4>;
-using WheelMatrix = std::array<WheelVector, 4>;  ///< [row][column]
 
 /// One group of lines solved: contact forces per unit irregularity, and the receptances they act through.
 struct GroupSolution {

@@ -1,4 +1,5 @@
 #pragma once
+// What excites a case, as data: broadband sources, spectral lines, and either on a frequency grid.
 
 #include <array>
 #include <complex>
@@ -6,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "pem/case_parameters.hpp"
-#include "pem/coupling/coupled_model.hpp"
+#include "lanes/complex_lanes.hpp"
+#include "pem/wheel_matrix.hpp"
 
 namespace railpem::pem {
 
@@ -71,37 +72,18 @@ struct TrackExcitation {
     double wheel_load_n = 0.0;                                          ///< under which they were computed
     double amplitude_factor = 0.0;                                      ///< own_passing() of then
 };
-/// `model`: of the case at this speed; with it the lines of passing sleepers have what their own forces do
-/// (passing_feedback.hpp), unless `fed_back` is false.
-TrackExcitation track_excitation(const CaseParameters& parameters, const std::vector<double>& wheels_m,
-                                 double speed_m_per_s, const CoupledModel* model = nullptr, bool fed_back = true);
-
-/// The same under another vehicle, whose forces it feels: of the track and speed of `known`, which does not stiffen
-/// under load.
-TrackExcitation with_other_vehicle(const TrackExcitation& known, const CaseParameters& parameters,
-                                   const CoupledModel& model, double speed_m_per_s, bool fed_back = true);
-
-/// The same for another load and amplitude factor. The track must be the same and not stiffen under load; throws
-/// nothing.
-TrackExcitation rescaled(const TrackExcitation& known, const CaseParameters& parameters);
-
-/// `known`: the track's part, if it is known already; else made, with `model` as in track_excitation().
-Excitation excitation(const CaseParameters& parameters, const std::vector<double>& wheels_m, double speed_m_per_s,
-                      const TrackExcitation* known = nullptr, const CoupledModel* model = nullptr);
 
 /// Phase e^{−iω·d_j/v} with which wheel j meets what wheel 1 meets, d_j = x_1 − x_j.
 std::complex<double> delay_phase(const std::vector<double>& wheels_m, std::size_t wheel, double frequency_hz,
                                  double speed_m_per_s);
+
+/// A broadband source as the wheels meet it, on a frequency grid.
+Source delayed_source(DelayedSpectrum spectrum, std::vector<double> wheels_m, double speed_m_per_s);
 
 /// A line set as a source on a frequency grid. Each line is a Gaussian of standard deviation f·speed_fluctuation whose
 /// PSD in a bin is its exact mean over the bin, so that Σ PSD·step over the table is amplitude²/2 whatever the grid
 /// (spectra/line_power.hpp). The phases between the wheels are those of the line: a speed that fluctuates moves the
 /// frequency, not the wavelength. Where lines overlap their powers add and the strongest gives the phases.
 Source line_source(std::string name, std::vector<SpectralLine> lines, double speed_fluctuation);
-
-/// The excitation as sources on a frequency grid: e_j = exp(−iω·d_j/v)·√S(f) for the broadband ones (Lin's
-/// pseudo-excitation; Wei et al. 2016, section 4.1). `model` as in track_excitation().
-std::vector<Source> excitation_sources(const CaseParameters& parameters, const std::vector<double>& wheels_m,
-                                       double speed_m_per_s, const CoupledModel* model = nullptr);
 
 }  // namespace railpem::pem

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
-#include "pem/coupling/solution.hpp"
+#include "pem/response_names.hpp"
 
 namespace railpem::pem {
 

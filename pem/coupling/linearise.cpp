@@ -5,7 +5,6 @@
 
 #include "pem/angular_frequency.hpp"
 #include "pem/contact.hpp"
-#include "pem/coupling/solution.hpp"
 #include "pem/coupling/wheel_transfers.hpp"
 #include "pem/gaussian_mean.hpp"
 #include "track/statics/anderson_mixing.hpp"
@@ -23,8 +22,8 @@ constexpr double kNear = 0.3;
 constexpr int kMostLines = 512;
 constexpr double kSmallestVelocity = 1e-9;  ///< m/s; keeps the equivalent damping finite when nothing moves
 
-/// Mean squares that the linearisation needs. The contact force is that which compresses the uncorrected contact as
-/// much.
+/// Mean squares that the linearisation needs. The contact force is that which compresses the contact without its factor
+/// as much.
 struct MeanSquares {
     std::array<double, 4> primary_velocity{}, contact_force{};
     std::array<double, 2> secondary_velocity{};
@@ -75,7 +74,7 @@ MeanSquares mean_squares(const std::vector<UnchangedGroup>& groups, const Couple
     for (const UnchangedGroup& group : groups) {
         const lanes::Real omega = group.rail.omega;
         const GroupSolution& solution = solve_group(model, group.rail, workspace);
-        const lanes::Real softening = 1.0 / lanes::norm(model.contact_correction.at(omega));
+        const lanes::Real softening = 1.0 / lanes::norm(model.contact_factor.at(omega));
         for (const WheelVector& irregularity : group.irregularity) {
             const WheelVector force = contact_forces(solution, irregularity);
             const auto add = [&](const std::array<lanes::Complex, 4>& receptance, double& sum) {

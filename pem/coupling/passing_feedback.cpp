@@ -24,12 +24,14 @@ void feed_back(const CaseParameters& parameters, const CoupledModel& model, doub
     const track::PadHistory* known = model.rail->constant_loads();
     const track::PadHistory constant = linear  ? track::PadHistory{}
                                        : known ? *known
-                                               : track::pad_history(parameters.track, model.wheels_m, load_n, speed);
+                                               : track::pad_history(parameters.track, model.wheels_m, load_n, speed,
+                                                                    false, {}, nullptr, parameters.modifiers.track);
     track::PadHistory history = track::pad_history(parameters.track, model.wheels_m, linear ? 0.0 : load_n, speed,
-                                                   false, swelling_n, &constant);
+                                                   false, swelling_n, &constant, parameters.modifiers.track);
     for (std::size_t i = 0; i < constant.force_n_m.size(); ++i) history.force_n_m[i] -= constant.force_n_m[i];
     const auto deflection =
-        track::rolling_deflection(parameters.track, model.wheels_m, speed, history, static_cast<int>(passing.size()));
+        track::rolling_deflection(parameters.track, model.wheels_m, speed, history, static_cast<int>(passing.size()),
+                                  false, parameters.modifiers.track);
     for (std::size_t line = 1; line < passing.size(); ++line)
         for (std::size_t wheel = 0; wheel < 4; ++wheel)
             passing[line].amplitude_m[wheel] -= 2.0 * deflection[line * 4 + wheel];

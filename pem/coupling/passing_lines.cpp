@@ -124,8 +124,11 @@ std::vector<SpectralLine> lines_of_the_bays(const CaseParameters& parameters, co
     const double spacing = parameters.track.spacing_m;
     const int orders = std::min(kOrdersPerBay, static_cast<int>(parameters.frequency.to_hz * spacing / speed));
     const track::PadHistory history =
-        known ? *known : track::pad_history(parameters.track, wheels_m, wheel_load_n(parameters), speed, standing);
-    const auto deflection = track::rolling_deflection(parameters.track, wheels_m, speed, history, orders, standing);
+        known ? *known
+              : track::pad_history(parameters.track, wheels_m, wheel_load_n(parameters), speed, standing, {}, nullptr,
+                                   parameters.modifiers.track);
+    const auto deflection = track::rolling_deflection(parameters.track, wheels_m, speed, history, orders, standing,
+                                                      parameters.modifiers.track);
     std::vector<SpectralLine> lines;
     for (int m = 1; m <= orders; ++m) {
         SpectralLine line{.frequency_hz = m * speed / spacing};

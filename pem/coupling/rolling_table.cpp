@@ -61,9 +61,9 @@ RollingTable rolling_table(const CoupledModel& model, double speed, double to_hz
     table.at.resize(lines);
     for (std::size_t line = 0; line < lines; ++line) {
         if (alike && is_between(line, lines)) continue;
-        table.at[line] =
-            track::rolling_receptance(seats->track, seats->pad_stiffness_n_per_m, model.wheels_m, speed,
-                                      std::max(kRest_hz, static_cast<double>(line) * table.step_hz), highest);
+        table.at[line] = track::rolling_receptance(seats->track, seats->pad_stiffness_n_per_m, model.wheels_m, speed,
+                                                   std::max(kRest_hz, static_cast<double>(line) * table.step_hz),
+                                                   highest, seats->modifiers);
     }
     if (alike) fill_between(*near, table);
     return table;
@@ -122,7 +122,8 @@ std::vector<RailGroup> rolling_rails(const RollingTable& table, const CoupledMod
             const std::array<Phasor, 16> receptance = rolling_at(table, 0, frequency);
             for (std::size_t pair = 0; pair < 16; ++pair) own.rail[pair / 4][pair % 4].set(lane, receptance[pair]);
         }
-        own.trackbed.fill(track::rolling_trackbed(seats.track, seats.pad_stiffness_n_per_m, own.omega));
+        own.trackbed.fill(
+            track::rolling_trackbed(seats.track, seats.pad_stiffness_n_per_m, own.omega, seats.modifiers));
     }
     if (const RailModel* others = model.rail->beside_equal_seats())
         add_others(model, *others, from_hz, step_hz, lines, every, threads, rails);

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "pem/response_names.hpp"
+
 namespace railpem::pem {
 
 namespace {
@@ -11,15 +13,6 @@ constexpr double kNoiseFrom = 0.5, kNoiseTo = 500.0, kNoiseReference = 10.0;  //
 
 }  // namespace
 
-std::string measured_response(const std::string& channel) {
-    std::string where = channel;
-    if (channel.starts_with("axlebox_")) where = "wheel_" + channel.substr(8);
-    if (channel == "body_centre") where = "body";
-    for (const ResponseName& name : response_names())
-        if (name.where == where && name.quantity == Quantity::acceleration) return where;
-    return {};
-}
-
 std::complex<double> sensor_transfer(const SensorParameters& sensor, double frequency_hz) {
     std::complex<double> transfer =
         std::polar(1.0, -2.0 * std::numbers::pi * frequency_hz * sensor.delay_s) * sensor.gain;
@@ -27,8 +20,14 @@ std::complex<double> sensor_transfer(const SensorParameters& sensor, double freq
         const double x = frequency_hz / sensor.resonance_frequency_hz;
         transfer /= std::complex<double>(1.0 - x * x, 2.0 * sensor.resonance_damping_ratio * x);
     }
-    if (!sensor.correction.empty()) transfer *= sensor.correction.at(2.0 * std::numbers::pi * frequency_hz);
     return transfer;
+}
+
+std::complex<double> sensor_correction(const Modifiers& modifiers, const std::string& response, double frequency_hz) {
+    std::complex<double> correction = 1.0;
+    for (const auto& [channel, factor] : modifiers.sensors)
+        if (measured_response(channel) == response) correction *= factor.at(2.0 * std::numbers::pi * frequency_hz);
+    return correction;
 }
 
 double sensor_noise_psd(const SensorParameters& sensor, double frequency_hz) {
@@ -41,11 +40,11 @@ double sensor_noise_psd(const SensorParameters& sensor, double frequency_hz) {
     return constant * std::pow(frequency_hz / kNoiseReference, power);
 }
 
-void apply_sensors(const std::vector<SensorParameters>& sensors, Solution& solution) {
+void apply_sensors(const CaseParameters& parameters, Solution& solution) {
     const std::size_t lines = solution.frequency_hz.size();
     const std::size_t responses = response_names().size();
     const std::size_t excitations = solution.source_names.size();
-    for (const SensorParameters& sensor : sensors) {
+    for (const SensorParameters& sensor : parameters.sensors) {
         const std::size_t response = response_index(measured_response(sensor.channel));
         for (std::size_t source = 0; source < excitations; ++source)
             for (std::size_t line = 0; line < lines; ++line)

@@ -4,18 +4,17 @@
 #include <complex>
 #include <string>
 
+#include "pem/case_parameters.hpp"
 #include "pem/coupling/solution.hpp"
 #include "pem/source_parameters.hpp"
 
 namespace railpem::pem {
 
-/// Response that a channel measures: axlebox_n is wheel_n, body_centre is body, the others bear the same name.
-/// Empty when there is no such channel.
-std::string measured_response(const std::string& channel);
-
-/// Complex factor of gain, mounting resonance and delay: g·e^{−iωτ}/(1 − (f/f_m)² + 2iζf/f_m), times the sensor's
-/// correction.
+/// Complex factor of gain, mounting resonance and delay: g·e^{−iωτ}/(1 − (f/f_m)² + 2iζf/f_m).
 std::complex<double> sensor_transfer(const SensorParameters& sensor, double frequency_hz);
+
+/// What a diagnosis corrects of a response: Modifiers::sensors of the channels that measure it. 1 without.
+std::complex<double> sensor_correction(const Modifiers& modifiers, const std::string& response, double frequency_hz);
 
 /// PSD of the additive noise, (m/s²)²/Hz: C·(f/10 Hz)^(slope/(10·log10 2)) with C such that the integral from 0.5 Hz to
 /// 500 Hz is rms².
@@ -23,6 +22,6 @@ double sensor_noise_psd(const SensorParameters& sensor, double frequency_hz);
 
 /// Applies every sensor of the case to the responses it measures: its transfer multiplies the pseudo-responses of all
 /// sources, its noise is a source of its own that only that response feels.
-void apply_sensors(const std::vector<SensorParameters>& sensors, Solution& solution);
+void apply_sensors(const CaseParameters& parameters, Solution& solution);
 
 }  // namespace railpem::pem

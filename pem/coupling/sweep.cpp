@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "pem/coupling/solve_case.hpp"
+#include "pem/response_names.hpp"
 #include "pem/threads.hpp"
 
 namespace railpem::pem {

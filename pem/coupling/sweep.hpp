@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "pem/case_parameters.hpp"
-#include "pem/coupling/solution.hpp"
 
 namespace railpem::pem {
 

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "pem/angular_frequency.hpp"
-#include "pem/rail/rail_model.hpp"
+#include "pem/rail/case_equilibrium.hpp"
 #include "pem/threads.hpp"
 #include "track/rail/decay_rate.hpp"
 #include "track/rail/exact_rail.hpp"
@@ -37,8 +37,9 @@ TrackResponse track_response(const CaseParameters& parameters, const std::vector
         points = track::decay_rate_positions_m(spacing);
         for (double& point : points) point += 0.5 * spacing;
     }
-    const track::ExactRail pad_rail = track::uniform_rail(parameters.track, {0.0}, stiffness);
-    const track::ExactRail rail = track::uniform_rail(parameters.track, points, stiffness);
+    const track::ExactRail pad_rail =
+        track::uniform_rail(parameters.track, {0.0}, stiffness, parameters.modifiers.track);
+    const track::ExactRail rail = track::uniform_rail(parameters.track, points, stiffness, parameters.modifiers.track);
 
     TrackResponse response;
     const std::size_t lines = frequency_hz.size();

@@ -7,8 +7,8 @@
 #include <numbers>
 #include <optional>
 
-#include "pem/coupling/solution.hpp"
 #include "pem/lagrange.hpp"
+#include "pem/response_names.hpp"
 #include "pem/threads.hpp"
 
 namespace railpem::pem {

@@ -6,9 +6,10 @@
 
 #include "pem/contact.hpp"
 #include "pem/coupling/coupled_model.hpp"
-#include "pem/coupling/solution.hpp"
+#include "pem/coupling/excite.hpp"
 #include "pem/coupling/wheel_transfers.hpp"
 #include "pem/gaussian_mean.hpp"
+#include "pem/response_names.hpp"
 
 namespace railpem::pem {
 

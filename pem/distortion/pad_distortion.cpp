@@ -5,9 +5,9 @@
 #include <complex>
 
 #include "pem/angular_frequency.hpp"
-#include "pem/coupling/solution.hpp"
 #include "pem/coupling/wheel_transfers.hpp"
 #include "pem/distortion/second_order.hpp"
+#include "pem/response_names.hpp"
 #include "track/pads/pad_law.hpp"
 #include "track/statics/rolling_pads.hpp"
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pem/coupling/solution.hpp"
 #include "pem/coupling/wheel_transfers.hpp"
+#include "pem/response_names.hpp"
 #include "track/statics/seat_stiffness.hpp"
 
 namespace railpem::pem {
@@ -156,7 +156,8 @@ ModulationTransfers modulation_transfers(const CaseParameters& parameters, const
             transfers.rails[line / lanes::width].rail[0][0][static_cast<int>(line % lanes::width)];
         transfers.receptance.push_back(receptance);
         transfers.seat_share.push_back(receptance * track::seat_stiffness(parameters.track, pad_n_per_m, 1.0,
-                                                                          static_cast<double>(line + 1) * step));
+                                                                          static_cast<double>(line + 1) * step,
+                                                                          parameters.modifiers.track));
     }
     return transfers;
 }

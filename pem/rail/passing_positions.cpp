@@ -3,7 +3,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "pem/rail/rail_model.hpp"
+#include "pem/rail/case_equilibrium.hpp"
 #include "track/rail/exact_rail.hpp"
 
 namespace railpem::pem {
@@ -57,7 +57,8 @@ void PassingPositions::directly(const Phase& phase, lanes::Real omega, lanes::Co
     track::TrackParameters track = phase.moved.track;
     for (std::size_t s = 0; s < rows_; ++s) {
         set_first_seat(track, first_seats_[s]);
-        const track::ExactRail rail = track::exact_rail(track, wheels_m_, phase.equilibria[s]);
+        const track::ExactRail rail =
+            track::exact_rail(track, wheels_m_, phase.equilibria[s], phase.moved.modifiers.track);
         track::ExactRailWorkspace workspace(rail);
         const track::RailReceptance& receptance = track::rail_receptance(rail, omega, workspace);
         for (std::size_t i = 0; i < wheels_m_.size(); ++i, ++result) {
@@ -71,9 +72,10 @@ void PassingPositions::directly(const Phase& phase, lanes::Real omega, lanes::Co
 std::vector<lanes::Complex> PassingPositions::deflection(lanes::Real omega) const {
     std::vector<lanes::Complex> result(places() * wheels_m_.size());
     const Phase& any = phases_.front();
-    const track::SupportLaw law(any.moved.track.pads, any.moved.track.support, omega);
+    const track::SupportLaw law(any.moved.track.pads, any.moved.track.support, omega, any.moved.modifiers.track);
     const track::BlochWaves waves =
-        track::bloch_waves(any.moved.track, any.equilibria.front().unloaded_dynamic_stiffness_n_per_m, omega, law);
+        track::bloch_waves(any.moved.track, any.equilibria.front().unloaded_dynamic_stiffness_n_per_m, omega, law,
+                           any.moved.modifiers.track);
     const bool apart = track::apart(waves);
     track::ScatterRow memory;
     for (std::size_t b = 0; b < phases_.size(); ++b) {

@@ -1,8 +1,8 @@
 #pragma once
+// The rail under the wheels, whatever it is made of.
 
 #include <memory>
 
-#include "pem/case_parameters.hpp"
 #include "track/rail/exact_rail.hpp"
 #include "track/statics/rolling_pads.hpp"
 
@@ -23,6 +23,7 @@ class RailEvaluator {
 /// Equal seats, over which wheels roll.
 struct EqualSeats {
     track::TrackParameters track;
+    track::TrackModifiers modifiers;
     double pad_stiffness_n_per_m = 0.0;  ///< K0 of every pad
 };
 
@@ -49,30 +50,5 @@ class RailModel {
     /// pads, all fasteners are sound.
     virtual const track::PadHistory* constant_loads() const { return nullptr; }
 };
-
-/// The rail that the case asks for (solver.rail), on the pads of the static equilibrium; with solver.moving under
-/// wheels that roll (rolling_rail.hpp), the exact one on the pads as they press them.
-std::unique_ptr<RailModel> rail_model(const CaseParameters& parameters, const std::vector<double>& wheels_m,
-                                      const track::StaticEquilibrium& equilibrium, double speed_m_per_s = 0.0);
-
-/// The mean over rails that the wheels meet alike often.
-std::unique_ptr<RailModel> exact_rails(std::vector<track::ExactRail> rails);
-
-/// Where the case has pads, m; `wheels_m` as in rail_model().
-std::vector<double> case_pads(const CaseParameters& parameters, const std::vector<double>& wheels_m);
-
-/// Static equilibrium of the case: the same pads, the same rail, the same wheel positions as in its dynamics.
-track::StaticEquilibrium case_equilibrium(const CaseParameters& parameters);
-
-/// As far as the dynamics of the rail need it, which is less when the pads do not stiffen under load; `start`: that of
-/// a similar case, to begin from.
-track::StaticEquilibrium dynamic_equilibrium(const CaseParameters& parameters,
-                                             const track::StaticEquilibrium* start = nullptr);
-
-/// The same with the regularly failed seats counted from each of `first_seats` in turn; `start`: as many similar ones,
-/// or none.
-std::vector<track::StaticEquilibrium> dynamic_equilibria(const CaseParameters& parameters,
-                                                         const std::vector<int>& first_seats,
-                                                         const std::vector<track::StaticEquilibrium>& start = {});
 
 }  // namespace railpem::pem

@@ -5,6 +5,8 @@
 #include <optional>
 #include <utility>
 
+#include "pem/rail/case_equilibrium.hpp"
+#include "pem/rail/exact_rails.hpp"
 #include "track/rail/mean_seats.hpp"
 #include "track/rail/rolling_receptance.hpp"
 #include "track/statics/moving_equilibrium.hpp"
@@ -76,13 +78,14 @@ class RollingEvaluator : public RailEvaluator {
             const double frequency = omega[lane] / (2.0 * std::numbers::pi);
             if (frequency != previous)
                 receptance = track::rolling_receptance(rolling_.equal.track, rolling_.equal.pad_stiffness_n_per_m,
-                                                       rolling_.wheels_m, rolling_.speed_m_per_s, frequency, 0);
+                                                       rolling_.wheels_m, rolling_.speed_m_per_s, frequency, 0,
+                                                       rolling_.equal.modifiers);
             previous = frequency;  // the last group repeats its last line
             for (std::size_t pair = 0; pair < result_.between.size(); ++pair)
                 result_.between[pair].set(lane, receptance.values[pair]);
         }
-        const lanes::Complex trackbed =
-            track::rolling_trackbed(rolling_.equal.track, rolling_.equal.pad_stiffness_n_per_m, omega);
+        const lanes::Complex trackbed = track::rolling_trackbed(
+            rolling_.equal.track, rolling_.equal.pad_stiffness_n_per_m, omega, rolling_.equal.modifiers);
         for (lanes::Complex& own : result_.trackbed) own = trackbed;
         if (others_) {
             const track::RailReceptance& beside = others_->at(omega);
@@ -160,19 +163,20 @@ struct Places {
           first_bay(per_bay == 4 ? offset_between_kinks(wheels_m, track.spacing_m, per_bay) : 0.0) {}
 };
 
-/// The track on the pads that stand for all where some fail at random.
-track::TrackParameters mean_track(const CaseParameters& parameters) {
-    track::TrackParameters track = parameters.track;
+/// The case on the pads that stand for all where some fail at random.
+CaseParameters on_mean_pads(const CaseParameters& parameters) {
+    CaseParameters mean = parameters;
     const lanes::FactorCurve factor =
-        track::mean_of_failed(track, dynamic_equilibrium(parameters).unloaded_dynamic_stiffness_n_per_m);
-    if (factor.empty()) return track;
-    lanes::FactorCurve& correction = track.pads.correction;
-    const lanes::FactorCurve known = correction;
-    correction = factor;
-    for (std::size_t i = 0; i < correction.value.size(); ++i)
-        correction.value[i] *= known.at(2.0 * std::numbers::pi * correction.frequency_hz[i]);
-    for (track::FailedFasteners& failed : track.failed_fasteners) failed.fraction = 0.0;
-    return track;
+        track::mean_of_failed(parameters.track, dynamic_equilibrium(parameters).unloaded_dynamic_stiffness_n_per_m,
+                              parameters.modifiers.track);
+    if (factor.empty()) return mean;
+    const lanes::FactorCurve& known = parameters.modifiers.track.pads;
+    lanes::FactorCurve& pads = mean.modifiers.track.pads;
+    pads = factor;
+    for (std::size_t i = 0; i < pads.value.size(); ++i)
+        pads.value[i] *= known.at(2.0 * std::numbers::pi * pads.frequency_hz[i]);
+    for (track::FailedFasteners& failed : mean.track.failed_fasteners) failed.fraction = 0.0;
+    return mean;
 }
 
 int failure_period(const track::TrackParameters& track) {
@@ -199,19 +203,20 @@ std::vector<track::ExactRail> rails_at(const Places& places, const CaseParameter
         previous = rolling ? track::moving_equilibrium(moved.track, wheels_m, wheel_load_n(parameters),
                                                        case_pads(moved, wheels_m), change, &previous)
                            : dynamic_equilibrium(moved);
-        rails.push_back(track::exact_rail(moved.track, wheels_m, previous));
+        rails.push_back(track::exact_rail(moved.track, wheels_m, previous, moved.modifiers.track));
     }
     return rails;
 }
 
-std::unique_ptr<RailModel> on_equal_seats(const Places& places, const track::TrackParameters& track,
+std::unique_ptr<RailModel> on_equal_seats(const Places& places, const CaseParameters& parameters,
                                           const std::vector<double>& wheels_m, double pad_stiffness) {
+    const track::TrackParameters& track = parameters.track;
     std::vector<track::ExactRail> rails;
     for (int k = 0; k < places.per_bay; ++k) {
         std::vector<double> moved = wheels_m;
         for (double& wheel : moved)
             wheel += (places.first_bay + static_cast<double>(k) / places.per_bay) * track.spacing_m;
-        rails.push_back(track::uniform_rail(track, moved, pad_stiffness));
+        rails.push_back(track::uniform_rail(track, moved, pad_stiffness, parameters.modifiers.track));
     }
     return exact_rails(std::move(rails));
 }
@@ -220,37 +225,44 @@ std::unique_ptr<RailModel> on_equal_seats(const Places& places, const track::Tra
 
 std::unique_ptr<RailModel> rolling_rail(const CaseParameters& parameters, const std::vector<double>& wheels_m,
                                         double speed_m_per_s) {
-    CaseParameters mean = parameters;
-    mean.track = mean_track(parameters);
+    const CaseParameters mean = on_mean_pads(parameters);
     const Places places(mean.track, wheels_m);
     if (mean.track.pads.preload_strength == 0.0 && failure_period(mean.track) == 1) {
         const double sound = dynamic_equilibrium(mean).unloaded_dynamic_stiffness_n_per_m;
-        return std::make_unique<RollingModel>(Rolling{{mean.track, sound}, wheels_m, speed_m_per_s, {}, {}, {}});
+        return std::make_unique<RollingModel>(
+            Rolling{{mean.track, mean.modifiers.track, sound}, wheels_m, speed_m_per_s, {}, {}, {}});
     }
     std::optional<track::PadHistory> rolling;
     if (mean.track.pads.preload_strength > 0.0)
-        rolling = track::pad_history(mean.track, wheels_m, wheel_load_n(parameters), speed_m_per_s);
+        rolling = track::pad_history(mean.track, wheels_m, wheel_load_n(parameters), speed_m_per_s, false, {}, nullptr,
+                                     mean.modifiers.track);
     std::vector<track::ExactRail> rails = rails_at(places, mean, wheels_m, rolling ? &*rolling : nullptr);
     if (!parameters.track.failed_fasteners.empty()) rolling.reset();
     const double pad = stiffness_under_points(rails.front());
-    auto others = std::make_unique<SeatsThatDiffer>(exact_rails(std::move(rails)),
-                                                    on_equal_seats(places, mean.track, wheels_m, pad));
+    auto others =
+        std::make_unique<SeatsThatDiffer>(exact_rails(std::move(rails)), on_equal_seats(places, mean, wheels_m, pad));
     std::optional<SeatPlaces> seats;
     if (const int period = failure_period(mean.track); period > 1) seats = SeatPlaces{period, places.first_bay};
-    return std::make_unique<RollingModel>(
-        Rolling{{mean.track, pad}, wheels_m, speed_m_per_s, std::move(others), std::move(rolling), seats});
+    return std::make_unique<RollingModel>(Rolling{{mean.track, mean.modifiers.track, pad},
+                                                  wheels_m,
+                                                  speed_m_per_s,
+                                                  std::move(others),
+                                                  std::move(rolling),
+                                                  seats});
 }
 
 std::unique_ptr<RailModel> rolling_rail(const CaseParameters& parameters, const std::vector<double>& wheels_m,
                                         double speed_m_per_s, std::unique_ptr<RailModel> standing) {
     track::StaticEquilibrium equal = dynamic_equilibrium(parameters);
-    const double pad = stiffness_under_points(track::exact_rail(parameters.track, wheels_m, equal));
+    const double pad =
+        stiffness_under_points(track::exact_rail(parameters.track, wheels_m, equal, parameters.modifiers.track));
     equal.unloaded_dynamic_stiffness_n_per_m = pad;
     equal.dynamic_stiffness_n_per_m.assign(equal.position_m.size(), pad);
     auto others = std::make_unique<SeatsThatDiffer>(
-        std::move(standing), exact_rails({track::exact_rail(parameters.track, wheels_m, equal)}));
-    return std::make_unique<RollingModel>(
-        Rolling{{parameters.track, pad}, wheels_m, speed_m_per_s, std::move(others), {}, {}});
+        std::move(standing),
+        exact_rails({track::exact_rail(parameters.track, wheels_m, equal, parameters.modifiers.track)}));
+    return std::make_unique<RollingModel>(Rolling{
+        {parameters.track, parameters.modifiers.track, pad}, wheels_m, speed_m_per_s, std::move(others), {}, {}});
 }
 
 }  // namespace railpem::pem

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "pem/case_parameters.hpp"
 #include "pem/rail/rail_model.hpp"
 
 namespace railpem::pem {

@@ -6,8 +6,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "effects/catalogue.hpp"
 #include "parameters/parameter_error.hpp"
-#include "simulate/effects/catalogue_effects.hpp"
 #include "simulate/recording.hpp"
 
 namespace railpem::simulate {
@@ -44,6 +44,55 @@ std::string allowed_names(const std::string& wrong, const std::vector<std::strin
         nearest = name;
     }
     return nearest.empty() ? list : fmt::format("{} (did you mean {}?)", list, nearest);
+}
+
+HiddenParameter as_hidden(const effects::EffectChoice& choice) {
+    HiddenParameter hidden{.name = choice.name, .unit = "", .says = choice.in_short};
+    hidden.is_text = !choice.whole_number;
+    if (hidden.is_text) return hidden;
+    hidden.unit = "1";
+    hidden.low = choice.simulated.low.value_or(std::stod(choice.options.front()));
+    hidden.high = choice.simulated.high.value_or(std::stod(choice.options.back()));
+    hidden.standard = choice.simulated.standard.value_or(choice.required ? hidden.low : 0.0);
+    return hidden;
+}
+
+HiddenParameter as_hidden(const effects::EffectParameter& parameter) {
+    return {.name = parameter.name,
+            .unit = parameter.unit,
+            .low = parameter.simulated.low.value_or(parameter.low),
+            .high = parameter.simulated.high.value_or(parameter.high),
+            .standard = parameter.simulated.standard.value_or(parameter.typical),
+            .says = parameter.in_short.empty() ? parameter.says : parameter.in_short};
+}
+
+HiddenEffect as_hidden(const effects::EffectDescription& effect, HideInWorld apply) {
+    HiddenEffect hidden{.id = effect.id,
+                        .says = effect.in_short.empty() ? effect.says : effect.in_short,
+                        .place = place_text(effect),
+                        .only_here = effect.only_simulated,
+                        .apply = std::move(apply)};
+    for (const effects::EffectChoice& choice : effect.choices) hidden.parameters.push_back(as_hidden(choice));
+    for (const effects::EffectParameter& parameter : effect.parameters)
+        if (!parameter.law) hidden.parameters.push_back(as_hidden(parameter));
+    for (const effects::EffectParameter& parameter : effect.only_simulated_parameters)
+        hidden.parameters.push_back(as_hidden(parameter));
+    return hidden;
+}
+
+/// The catalogue in the order of the list.
+std::vector<HiddenEffect> listed_effects() {
+    std::vector<const effects::EffectDescription*> order;
+    for (const effects::EffectDescription& effect : effects::catalogue()) order.push_back(&effect);
+    const auto row = [](const effects::EffectDescription* effect) {
+        return effect->list_row > 0 ? effect->list_row : effect->row;
+    };
+    std::sort(order.begin(), order.end(), [&](const auto* a, const auto* b) { return row(a) < row(b); });
+    const std::map<std::string, HideInWorld> in_world = effects_in_world();
+    std::vector<HiddenEffect> list;
+    for (const effects::EffectDescription* effect : order) list.push_back(as_hidden(*effect, in_world.at(effect->id)));
+    std::stable_partition(list.begin(), list.end(), [](const HiddenEffect& effect) { return !effect.only_here; });
+    return list;
 }
 
 const HiddenEffect& find(const std::string& id) {
@@ -107,11 +156,7 @@ bool HiddenValues::has(const std::string& name) const {
 }
 
 const std::vector<HiddenEffect>& hidden_effects() {
-    static const std::vector<HiddenEffect> all = [] {
-        std::vector<HiddenEffect> list = catalogue_effects();
-        for (HiddenEffect& effect : only_here_effects()) list.push_back(std::move(effect));
-        return list;
-    }();
+    static const std::vector<HiddenEffect> all = listed_effects();
     return all;
 }
 

@@ -11,7 +11,8 @@
 
 namespace railpem::simulate {
 
-/// A parameter of an effect. Text parameters (channel, stage, key of the case) have no range and no default.
+/// A parameter of an effect as `--hide` takes it. Text parameters (channel, stage, key of the case) have no range and
+/// no default.
 struct HiddenParameter {
     std::string name, unit;
     double low = 0.0, high = 0.0;
@@ -28,8 +29,8 @@ struct HiddenValues {
     bool has(const std::string& name) const;
 };
 
-/// Multiplies the case's value of a dotted key by a factor; given by whoever owns the schema (effect
-/// `parameter-error`).
+/// Multiplies the case's value of a dotted key by a factor; given by whoever owns the schema (the effect that
+/// is a wrong number).
 using ScaleParameter = std::function<void(pem::CaseParameters&, const std::string& key, double factor)>;
 
 struct HiddenTarget {
@@ -38,17 +39,24 @@ struct HiddenTarget {
     const ScaleParameter& scale;
 };
 
+/// What an effect does to the world that is marched.
+using HideInWorld = std::function<void(const HiddenValues&, HiddenTarget)>;
+
+/// An effect of the catalogue as it can be hidden.
 struct HiddenEffect {
     std::string id;
     std::string says;
     std::string place;       ///< element of the structure
-    bool only_here = false;  ///< not in the catalogue: exists in the simulator alone
+    bool only_here = false;  ///< the diagnosis does not know it: exists in the simulator alone
     std::vector<HiddenParameter> parameters;
-    std::function<void(const HiddenValues&, HiddenTarget)> apply;
+    HideInWorld apply;
 };
 
-/// The catalogue, then the effects that exist only here.
+/// The effects that a diagnosis knows, then those that exist only here.
 const std::vector<HiddenEffect>& hidden_effects();
+
+/// What the files of simulate/effects do, by identifier: written by the build.
+std::map<std::string, HideInWorld> effects_in_world();
 
 /// An effect with its values, as asked for.
 struct Hidden {

@@ -12,9 +12,11 @@
 #include "../verification/pem/every_track_effect.hpp"
 #include "pem/coupling/coupled_model.hpp"
 #include "pem/coupling/passing_lines.hpp"
-#include "pem/coupling/solution.hpp"
+#include "pem/coupling/solve_case.hpp"
 #include "pem/coupling/track_response.hpp"
 #include "pem/coupling/wheel_transfers.hpp"
+#include "pem/rail/case_equilibrium.hpp"
+#include "pem/response_names.hpp"
 #include "track/rail/exact_rail.hpp"
 
 namespace {

@@ -91,7 +91,8 @@ RailElement doubled(const RailElement& half) {
 
 }  // namespace
 
-BeamCoefficients beam_coefficients(const RailParameters& rail, const std::vector<RailDamper>& dampers, Real omega) {
+BeamCoefficients beam_coefficients(const RailParameters& rail, const std::vector<RailDamper>& dampers, Real omega,
+                                   const lanes::FactorCurve& mass_factor) {
     const Complex loss(std::complex<double>(1.0, rail.loss_factor));
     const Real omega2 = omega * omega;
     BeamCoefficients beam;
@@ -110,7 +111,7 @@ BeamCoefficients beam_coefficients(const RailParameters& rail, const std::vector
         const Complex spring(lanes::broadcast(natural * natural), natural * natural * own_loss);
         beam.inertia += spring * lanes::reciprocal(spring + (-omega2)) * (damper.mass_kg_per_m * omega2);
     }
-    if (!rail.correction.empty()) beam.inertia = beam.inertia * rail.correction.at(omega);
+    if (!mass_factor.empty()) beam.inertia = beam.inertia * mass_factor.at(omega);
     return beam;
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "lanes/complex_lanes.hpp"
+#include "lanes/factor_curve.hpp"
 #include "track/rail_parameters.hpp"
 
 namespace railpem::track {
@@ -13,12 +14,12 @@ struct BeamCoefficients {
     lanes::Complex bending;           ///< B = EI(1 + iη), N·m²
     lanes::Complex shear_compliance;  ///< s = 1/(κGA(1 + iη)), 1/N; 0 for Euler
     lanes::Real rotary;               ///< r = ω²ρI, N; 0 for Euler
-    lanes::Complex inertia;           ///< μ = ω²·(m + dampers)·correction, N/m²
+    lanes::Complex inertia;           ///< μ = ω²·(m + dampers)·factor, N/m²
 };
 
-/// ω in rad/s, one per lane. Rail dampers add their dynamic mass to μ.
+/// ω in rad/s, one per lane. Rail dampers add their dynamic mass to μ. `mass_factor`: TrackModifiers::rail.
 BeamCoefficients beam_coefficients(const RailParameters& rail, const std::vector<RailDamper>& dampers,
-                                   lanes::Real omega);
+                                   lanes::Real omega, const lanes::FactorCurve& mass_factor = {});
 
 /// D(k) = Sk²(Bk² − r)/(Bk² + S − r) − μ with S = 1/s (Euler: Bk⁴ − μ): force per metre of the free rail for a unit
 /// wave e^{ikx}, N/m².

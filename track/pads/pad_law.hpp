@@ -9,7 +9,7 @@
 namespace railpem::track {
 
 /// The complex shape of the pad in frequency, common to all pads: K_j(f) = K0_j·shape(f) + i·2πf·pad_damping(). f > 0,
-/// in Hz. PadParameters::correction is on K_j(f) and hence neither here nor in pad_damping().
+/// in Hz. TrackModifiers::pads is on K_j(f) and hence neither here nor in pad_damping().
 ///   power law     (f/f0)^k: Wei et al. 2016, eq. (10). Real, hence not causal together with a dashpot.
 ///   spring-pot    (f/f0)^k·(1 + i·tan(πk/2)) if `causal`: the companion that obeys Kramers and Kronig; Fenander 1997.
 ///   constant loss ×(1 + iη), usual in track models and not causal either.

@@ -11,13 +11,14 @@ constexpr double two_pi = 2.0 * std::numbers::pi;
 
 }  // namespace
 
-std::complex<double> support_receptance(const SupportParameters& support, double frequency_hz) {
+std::complex<double> support_receptance(const SupportParameters& support, double frequency_hz,
+                                        const lanes::FactorCurve& factor) {
     assert(frequency_hz > 0.0);
     if (support.model == SupportModel::rigid) return 0.0;
     const double omega = two_pi * frequency_hz;
     std::complex<double> spring(support.stiffness_n_per_m,
                                 support.stiffness_n_per_m * support.loss_factor + omega * support.damping_n_s_per_m);
-    if (!support.correction.empty()) spring *= support.correction.at(omega);
+    if (!factor.empty()) spring *= factor.at(omega);
     std::complex<double> receptance = 1.0 / (spring - omega * omega * support.mass_kg);
     for (const SleeperMode& mode : support.bending_modes) {
         const double omega_n = two_pi * mode.frequency_hz;
@@ -28,12 +29,13 @@ std::complex<double> support_receptance(const SupportParameters& support, double
     return receptance;
 }
 
-lanes::Complex support_receptance(const SupportParameters& support, lanes::Real omega) {
+lanes::Complex support_receptance(const SupportParameters& support, lanes::Real omega,
+                                  const lanes::FactorCurve& factor) {
     if (support.model == SupportModel::rigid) return {};
     const lanes::Real omega2 = omega * omega;
     lanes::Complex spring(lanes::broadcast(support.stiffness_n_per_m),
                           support.stiffness_n_per_m * support.loss_factor + omega * support.damping_n_s_per_m);
-    if (!support.correction.empty()) spring = spring * support.correction.at(omega);
+    if (!factor.empty()) spring = spring * factor.at(omega);
     lanes::Complex receptance = lanes::reciprocal(spring + (-omega2 * support.mass_kg));
     for (const SleeperMode& mode : support.bending_modes) {
         const double natural2 = two_pi * mode.frequency_hz * two_pi * mode.frequency_hz;

@@ -4,17 +4,20 @@
 #include <complex>
 
 #include "lanes/complex_lanes.hpp"
+#include "lanes/factor_curve.hpp"
 #include "track/support_parameters.hpp"
 
 namespace railpem::track {
 
 /// Displacement of the ground of the pad for a unit force from the pad, m/N, at f > 0 Hz: 0 on rigid ground, otherwise
 /// that of the mass on its spring and of the sleeper's bending modes, as stated at SupportParameters (Knothe & Grassie
-/// 1993).
-std::complex<double> support_receptance(const SupportParameters& support, double frequency_hz);
+/// 1993). `factor`: TrackModifiers::support.
+std::complex<double> support_receptance(const SupportParameters& support, double frequency_hz,
+                                        const lanes::FactorCurve& factor = {});
 
 /// The same for a group of frequencies, given as ω in rad/s.
-lanes::Complex support_receptance(const SupportParameters& support, lanes::Real omega);
+lanes::Complex support_receptance(const SupportParameters& support, lanes::Real omega,
+                                  const lanes::FactorCurve& factor = {});
 
 /// The same at rest, m/N: springs only, no loss.
 double static_support_compliance(const SupportParameters& support);

@@ -20,14 +20,14 @@ Complex row_times(const Complex& a, const Complex& b, const Complex& rotation) {
 }  // namespace
 
 BlochWaves bloch_waves(const TrackParameters& track, double pad_stiffness_n_per_m, lanes::Real omega,
-                       const SupportLaw& law) {
-    return bloch_waves(uniform_rail(track, {0.0}, pad_stiffness_n_per_m), omega, law);
+                       const SupportLaw& law, const TrackModifiers& modifiers) {
+    return bloch_waves(uniform_rail(track, {0.0}, pad_stiffness_n_per_m, modifiers), omega, law);
 }
 
 BlochWaves bloch_waves(const ExactRail& rail, lanes::Real omega, const SupportLaw& law) {
     BlochWaves waves;
     waves.spacing_m = rail.spacing_m;
-    waves.beam = beam_coefficients(rail.rail, rail.dampers, omega);
+    waves.beam = beam_coefficients(rail.rail, rail.dampers, omega, rail.modifiers.rail);
     waves.support = law.stiffness(rail.uniform_pad_stiffness_n_per_m);
     const RailElement bay = rail_element(waves.beam, rail.spacing_m);
     const HalfTrack half = uniform_half_track(rail, omega, bay, waves.support);

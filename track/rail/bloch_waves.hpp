@@ -24,7 +24,7 @@ struct BlochWaves {
 
 /// The waves of `track` on sound pads of K0 = `pad_stiffness_n_per_m`. ω > 0 in rad/s; `law`: at that ω.
 BlochWaves bloch_waves(const TrackParameters& track, double pad_stiffness_n_per_m, lanes::Real omega,
-                       const SupportLaw& law);
+                       const SupportLaw& law, const TrackModifiers& modifiers = {});
 
 /// The waves of the uniform track that `rail` is apart from its finite part.
 BlochWaves bloch_waves(const ExactRail& rail, lanes::Real omega, const SupportLaw& law);

@@ -44,12 +44,13 @@ void place_nodes(ExactRail& rail, const std::vector<Seat>& seats, const std::vec
     rail.points = static_cast<int>(points.size());
 }
 
-ExactRail bare_rail(const TrackParameters& track, double uniform_stiffness) {
+ExactRail bare_rail(const TrackParameters& track, const TrackModifiers& modifiers, double uniform_stiffness) {
     ExactRail rail;
     rail.rail = track.rail;
     rail.dampers = track.rail_dampers;
     rail.pads = track.pads;
     rail.support = track.support;
+    rail.modifiers = modifiers;
     rail.spacing_m = track.spacing_m;
     rail.uniform_pad_stiffness_n_per_m = uniform_stiffness;
     return rail;
@@ -58,8 +59,8 @@ ExactRail bare_rail(const TrackParameters& track, double uniform_stiffness) {
 }  // namespace
 
 ExactRail exact_rail(const TrackParameters& track, const std::vector<double>& points_m,
-                     const StaticEquilibrium& equilibrium, double tolerance) {
-    ExactRail rail = bare_rail(track, equilibrium.unloaded_dynamic_stiffness_n_per_m);
+                     const StaticEquilibrium& equilibrium, const TrackModifiers& modifiers, double tolerance) {
+    ExactRail rail = bare_rail(track, modifiers, equilibrium.unloaded_dynamic_stiffness_n_per_m);
     const double rearmost = *std::min_element(points_m.begin(), points_m.end());
     const double foremost = *std::max_element(points_m.begin(), points_m.end());
     const std::vector<Seat> seats = seat_row(track, points_m, equilibrium);
@@ -77,9 +78,9 @@ ExactRail exact_rail(const TrackParameters& track, const std::vector<double>& po
     return rail;
 }
 
-ExactRail uniform_rail(const TrackParameters& track, const std::vector<double>& points_m,
-                       double pad_stiffness_n_per_m) {
-    ExactRail rail = bare_rail(track, pad_stiffness_n_per_m);
+ExactRail uniform_rail(const TrackParameters& track, const std::vector<double>& points_m, double pad_stiffness_n_per_m,
+                       const TrackModifiers& modifiers) {
+    ExactRail rail = bare_rail(track, modifiers, pad_stiffness_n_per_m);
     const auto [low, high] = std::minmax_element(points_m.begin(), points_m.end());
     std::vector<Seat> seats;
     const int begin = static_cast<int>(std::floor(*low / track.spacing_m)) - 1;
@@ -102,16 +103,17 @@ ExactRailWorkspace::ExactRailWorkspace(const ExactRail& rail)
     row.resize(points);
 }
 
-SupportLaw::SupportLaw(const PadParameters& pads, const SupportParameters& support, lanes::Real omega)
+SupportLaw::SupportLaw(const PadParameters& pads, const SupportParameters& support, lanes::Real omega,
+                       const TrackModifiers& modifiers)
     : rigid_(support.model == SupportModel::rigid) {
     const double damping = pad_damping(pads);
     shape_ = pad_shape(pads, omega / (2.0 * M_PI));
-    if (!rigid_) below_ = support_receptance(support, omega);
+    if (!rigid_) below_ = support_receptance(support, omega, modifiers.support);
     dashpot_ = lanes::Complex(lanes::Real{}, damping * omega);
-    if (pads.correction.empty()) return;
-    const lanes::Complex correction = pads.correction.at(omega);
-    shape_ = shape_ * correction;
-    dashpot_ = dashpot_ * correction;
+    if (modifiers.pads.empty()) return;
+    const lanes::Complex factor = modifiers.pads.at(omega);
+    shape_ = shape_ * factor;
+    dashpot_ = dashpot_ * factor;
 }
 
 lanes::Complex SupportLaw::stiffness(double pad_stiffness_n_per_m, double scale) const {

@@ -8,6 +8,7 @@
 #include "lanes/complex_lanes.hpp"
 #include "track/rail/bloch.hpp"
 #include "track/statics/static_equilibrium.hpp"
+#include "track/track_modifiers.hpp"
 #include "track/track_parameters.hpp"
 
 namespace railpem::track {
@@ -28,6 +29,7 @@ struct ExactRail {
     std::vector<RailDamper> dampers;
     PadParameters pads;
     SupportParameters support;
+    TrackModifiers modifiers;
     double spacing_m = 0.6;
     double uniform_pad_stiffness_n_per_m = 0.0;  ///< K0 of every pad beyond the finite part
     std::vector<RailNode> nodes;
@@ -38,11 +40,13 @@ struct ExactRail {
 /// The finite part holds the supports whose K0 differs from the uniform one by more than `tolerance` (relative), and
 /// the stretch between the outermost points. `points_m`: where receptances are asked, in any order, anywhere in a bay.
 ExactRail exact_rail(const TrackParameters& track, const std::vector<double>& points_m,
-                     const StaticEquilibrium& equilibrium, double tolerance = 1e-10);
+                     const StaticEquilibrium& equilibrium, const TrackModifiers& modifiers = {},
+                     double tolerance = 1e-10);
 
 /// The same with every support alike (track without a vehicle, at rest): K0 = `pad_stiffness_n_per_m`, a support at
 /// position 0.
-ExactRail uniform_rail(const TrackParameters& track, const std::vector<double>& points_m, double pad_stiffness_n_per_m);
+ExactRail uniform_rail(const TrackParameters& track, const std::vector<double>& points_m, double pad_stiffness_n_per_m,
+                       const TrackModifiers& modifiers = {});
 
 /// Receptances at the points for unit upward forces, m/N, and the sum of all pad forces they cause.
 struct RailReceptance {
@@ -71,7 +75,8 @@ struct ExactRailWorkspace {
 /// Evaluates the frequency laws once per lane.
 class SupportLaw {
   public:
-    SupportLaw(const PadParameters& pads, const SupportParameters& support, lanes::Real omega);
+    SupportLaw(const PadParameters& pads, const SupportParameters& support, lanes::Real omega,
+               const TrackModifiers& modifiers = {});
     lanes::Complex stiffness(double pad_stiffness_n_per_m, double scale = 1.0) const;
 
     /// stiffness(K0, scale) − stiffness(K0 of `uniform_n_per_m`) as a fraction, so that what goes on with it needs no

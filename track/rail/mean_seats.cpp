@@ -30,19 +30,20 @@ Complex scattered(const Complex& seat, const Complex& equal, const Complex& rece
 
 }  // namespace
 
-lanes::FactorCurve mean_of_failed(const TrackParameters& track, double pad_stiffness) {
+lanes::FactorCurve mean_of_failed(const TrackParameters& track, double pad_stiffness, const TrackModifiers& modifiers) {
     double share = 0.0, left = 1.0;
     for (const FailedFasteners& failed : track.failed_fasteners)
         if (failed.fraction > 0.0) share = failed.fraction, left = failed.remaining_stiffness_fraction;
     lanes::FactorCurve curve;
     if (share == 0.0) return curve;
-    const ExactRail rail = uniform_rail(track, {0.0}, pad_stiffness);
+    const ExactRail rail = uniform_rail(track, {0.0}, pad_stiffness, modifiers);
     for (const double f : frequencies()) {
         const lanes::Real omega = lanes::broadcast(2.0 * std::numbers::pi * f);
-        const SupportLaw law(track.pads, track.support, omega);
-        const RailElement bay = rail_element(beam_coefficients(track.rail, track.rail_dampers, omega), track.spacing_m);
+        const SupportLaw law(track.pads, track.support, omega, modifiers);
+        const RailElement bay =
+            rail_element(beam_coefficients(track.rail, track.rail_dampers, omega, modifiers.rail), track.spacing_m);
         const Complex sound = law.stiffness(pad_stiffness), failed = law.stiffness(pad_stiffness, left),
-                      below = support_receptance(track.support, omega);
+                      below = support_receptance(track.support, omega, modifiers.support);
         Complex equal = sound * (1.0 - share) + failed * share;
         for (int i = 0; i < kIterations; ++i) {
             const Complex receptance =

@@ -2,6 +2,7 @@
 // The equal seats that stand for seats of which some have failed at random.
 
 #include "lanes/factor_curve.hpp"
+#include "track/track_modifiers.hpp"
 #include "track/track_parameters.hpp"
 
 namespace railpem::track {
@@ -13,6 +14,7 @@ namespace railpem::track {
 /// the mean over sound and failed ones. The mean of the stiffness, which it replaces, is the limit of a small q. What
 /// several failed seats in a row do together is left out. `pad_stiffness_n_per_m`: K0 of the sound pads. Empty where
 /// none fail.
-lanes::FactorCurve mean_of_failed(const TrackParameters& track, double pad_stiffness_n_per_m);
+lanes::FactorCurve mean_of_failed(const TrackParameters& track, double pad_stiffness_n_per_m,
+                                  const TrackModifiers& modifiers = {});
 
 }  // namespace railpem::track

@@ -37,7 +37,7 @@ std::vector<double> shifted(const std::vector<double>& x_m, double origin_m) {
 }  // namespace
 
 ModalRail modal_rail(const TrackParameters& track, const std::vector<double>& pads_m,
-                     const std::vector<double>& points_m, int modes) {
+                     const std::vector<double>& points_m, int modes, const TrackModifiers& modifiers) {
     assert(!pads_m.empty());
     if (track.rail.beam == Beam::timoshenko)
         throw ParameterError("solver.rail", "the modal rail is an Euler beam, the case asks for a Timoshenko rail",
@@ -64,7 +64,7 @@ ModalRail modal_rail(const TrackParameters& track, const std::vector<double>& pa
     result.loss_factor = rail.loss_factor;
     result.mass_kg_per_m = rail.mass_kg_per_m;
     result.dampers = track.rail_dampers;
-    result.correction = rail.correction;
+    result.mass_factor = modifiers.rail;
     return result;
 }
 
@@ -73,7 +73,7 @@ ModalReceptance modal_receptance(const ModalRail& rail, double frequency_hz,
     assert(frequency_hz > 0.0 && seat_stiffness_n_per_m.size() == rail.pad_shape.rows());
     const double omega = 2.0 * std::numbers::pi * frequency_hz;
     std::complex<double> mass_ratio = 1.0 + damper_mass_kg_per_m(rail.dampers, frequency_hz) / rail.mass_kg_per_m;
-    if (!rail.correction.empty()) mass_ratio *= rail.correction.at(omega);
+    if (!rail.mass_factor.empty()) mass_ratio *= rail.mass_factor.at(omega);
     const std::complex<double> rigidity(1.0, rail.loss_factor);
 
     // Real and imaginary part apart: half the work of a complex product with real mode shapes.

@@ -5,6 +5,7 @@
 #include <complex>
 #include <vector>
 
+#include "track/track_modifiers.hpp"
 #include "track/track_parameters.hpp"
 
 namespace railpem::track {
@@ -20,7 +21,7 @@ struct ModalRail {
     double loss_factor = 0.0;                      ///< of the rail's E
     double mass_kg_per_m = 0.0;
     std::vector<RailDamper> dampers;  ///< spread evenly over the rail: they load every mode alike
-    lanes::FactorCurve correction;    ///< of the mass, as in RailParameters
+    lanes::FactorCurve mass_factor;   ///< TrackModifiers::rail
 };
 
 /// What a frequency line needs of the rail. Displacement and force in the same direction.
@@ -35,10 +36,10 @@ struct ModalReceptance {
 /// Throws parameters::ParameterError for a Timoshenko rail (its modes are not sines with one frequency each), for a
 /// point off the rail, and for `modes` < 1.
 ModalRail modal_rail(const TrackParameters& track, const std::vector<double>& pads_m,
-                     const std::vector<double>& points_m, int modes);
+                     const std::vector<double>& points_m, int modes, const TrackModifiers& modifiers = {});
 
 /// Solves D·q = Φᵀ F with the dense, complex symmetric N × N matrix
-///   D = diag(ω_n²(1 + iη) − ω²(1 + Σ m_d(ω)/m)·correction) + Σ_j K_j φ(x_j) φ(x_j)ᵀ,
+///   D = diag(ω_n²(1 + iη) − ω²(1 + Σ m_d(ω)/m)·factor) + Σ_j K_j φ(x_j) φ(x_j)ᵀ,
 /// m_d(ω) the dynamic mass of the dampers (see RailDamper). `seat_stiffness_n_per_m`: complex K_j from rail to ground,
 /// one per pad, as from seat_stiffness(). f > 0, in Hz. Cost O(N³) per line: this is the reference method, not the fast
 /// one.

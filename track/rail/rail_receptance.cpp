@@ -18,7 +18,8 @@ Bay lossier(const ExactRail& rail, Real omega, const Complex& support) {
     RailParameters lossy = rail.rail;
     lossy.loss_factor += kProbeLoss;
     const Complex factor(std::complex<double>(1.0, kProbeLoss));
-    return {rail_element(beam_coefficients(lossy, rail.dampers, omega), rail.spacing_m), support * factor};
+    return {rail_element(beam_coefficients(lossy, rail.dampers, omega, rail.modifiers.rail), rail.spacing_m),
+            support * factor};
 }
 
 /// d = −(behind + near)⁻¹·far·d_next and what the next node then feels.
@@ -79,9 +80,9 @@ void collect(const ExactRail& rail, const Matrix2& front, const Vector2& front_l
 }  // namespace
 
 const RailReceptance& rail_receptance(const ExactRail& rail, Real omega, ExactRailWorkspace& work) {
-    const BeamCoefficients beam = beam_coefficients(rail.rail, rail.dampers, omega);
+    const BeamCoefficients beam = beam_coefficients(rail.rail, rail.dampers, omega, rail.modifiers.rail);
     for (std::size_t i = 0; i < rail.lengths_m.size(); ++i) work.elements[i] = rail_element(beam, rail.lengths_m[i]);
-    const SupportLaw law(rail.pads, rail.support, omega);
+    const SupportLaw law(rail.pads, rail.support, omega, rail.modifiers);
     for (std::size_t j = 0; j < rail.nodes.size(); ++j)
         work.supports[j] = rail.nodes[j].supported
                                ? law.stiffness(rail.nodes[j].pad_stiffness_n_per_m, rail.nodes[j].pad_scale)
@@ -117,8 +118,10 @@ HalfTrack uniform_half_track(const ExactRail& rail, Real omega, const RailElemen
 }
 
 HalfTrack uniform_half_track(const ExactRail& rail, Real omega) {
-    const RailElement bay = rail_element(beam_coefficients(rail.rail, rail.dampers, omega), rail.spacing_m);
-    const Complex support = SupportLaw(rail.pads, rail.support, omega).stiffness(rail.uniform_pad_stiffness_n_per_m);
+    const RailElement bay =
+        rail_element(beam_coefficients(rail.rail, rail.dampers, omega, rail.modifiers.rail), rail.spacing_m);
+    const Complex support =
+        SupportLaw(rail.pads, rail.support, omega, rail.modifiers).stiffness(rail.uniform_pad_stiffness_n_per_m);
     return uniform_half_track(rail, omega, bay, support);
 }
 

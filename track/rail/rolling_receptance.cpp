@@ -36,10 +36,12 @@ struct WaveGrid {
     double half() const { return groups * lanes::width * step; }
 };
 
-WaveGrid wavenumber_grid(const TrackParameters& track, double pad_stiffness, double omega, double farthest,
-                         double speed, int highest) {
-    const Phasor seat = SupportLaw(track.pads, track.support, lanes::broadcast(omega)).stiffness(pad_stiffness)[0];
-    const BeamCoefficients beam = beam_coefficients(track.rail, track.rail_dampers, lanes::broadcast(omega));
+WaveGrid wavenumber_grid(const TrackParameters& track, const TrackModifiers& modifiers, double pad_stiffness,
+                         double omega, double farthest, double speed, int highest) {
+    const Phasor seat =
+        SupportLaw(track.pads, track.support, lanes::broadcast(omega), modifiers).stiffness(pad_stiffness)[0];
+    const BeamCoefficients beam =
+        beam_coefficients(track.rail, track.rail_dampers, lanes::broadcast(omega), modifiers.rail);
     // and root·iⁿ
     const Phasor fourth = (beam.inertia[0] - seat / track.spacing_m) / beam.bending[0], root = std::pow(fourth, 0.25);
     const double foundation = std::pow(std::abs(seat) / track.spacing_m / std::abs(beam.bending[0]), 0.25);
@@ -64,9 +66,10 @@ struct Seats {
     Complex share;  ///< 1/(D_0·held + K): D_0 is zero where a wave of the free rail is, and multiplies
 
     /// `alias`: receives 1/D_n up to ±highest, at n + highest.
-    Seats(const TrackParameters& track, double pad_stiffness, Real k, Real omega, int highest, Complex* alias)
-        : beam(beam_coefficients(track.rail, track.rail_dampers, omega)),
-          seat(SupportLaw(track.pads, track.support, omega).stiffness(pad_stiffness)) {
+    Seats(const TrackParameters& track, const TrackModifiers& modifiers, double pad_stiffness, Real k, Real omega,
+          int highest, Complex* alias)
+        : beam(beam_coefficients(track.rail, track.rail_dampers, omega, modifiers.rail)),
+          seat(SupportLaw(track.pads, track.support, omega, modifiers).stiffness(pad_stiffness)) {
         const double bay = 2.0 * std::numbers::pi / track.spacing_m;
         Complex others;
         for (int n = 1; n <= highest; ++n)
@@ -93,10 +96,10 @@ struct Seats {
 };
 
 /// p_m at a group of wavenumbers, m = −highest … highest.
-void periodic_part(const TrackParameters& track, double pad_stiffness, Real k, Real omega, int highest,
-                   std::vector<Complex>& p) {
+void periodic_part(const TrackParameters& track, const TrackModifiers& modifiers, double pad_stiffness, Real k,
+                   Real omega, int highest, std::vector<Complex>& p) {
     const Real least = lanes::broadcast(kLeast_rad_per_s), size = omega < Real{} ? -omega : omega;
-    const Seats seats(track, pad_stiffness, k, size < least ? least : size, highest, p.data());
+    const Seats seats(track, modifiers, pad_stiffness, k, size < least ? least : size, highest, p.data());
     const Complex through = seats.share * seats.seat;
     for (int m = -highest; m <= highest; ++m) {
         Complex& part = p[static_cast<std::size_t>(m + highest)];
@@ -116,8 +119,10 @@ Phasor free_rail_beyond(const BeamCoefficients& beam, double k, double x) {
 }
 
 /// What the grid leaves out of order 0. From ω' = 0 on the rail's constant loss has the other sign.
-Phasor beyond_reach(const TrackParameters& track, const WaveGrid& grid, double omega, double speed, double x) {
-    const BeamCoefficients beam = beam_coefficients(track.rail, track.rail_dampers, lanes::broadcast(omega));
+Phasor beyond_reach(const TrackParameters& track, const TrackModifiers& modifiers, const WaveGrid& grid, double omega,
+                    double speed, double x) {
+    const BeamCoefficients beam =
+        beam_coefficients(track.rail, track.rail_dampers, lanes::broadcast(omega), modifiers.rail);
     BeamCoefficients turned = beam;
     turned.bending.im = -beam.bending.im, turned.shear_compliance.im = -beam.shear_compliance.im;
     const double reversal = std::max(grid.half() + grid.shift, omega / speed);
@@ -192,11 +197,11 @@ struct BothWays {
 
 RollingReceptance rolling_receptance(const TrackParameters& track, double pad_stiffness_n_per_m,
                                      const std::vector<double>& wheels_m, double speed_m_per_s, double frequency_hz,
-                                     int highest) {
+                                     int highest, const TrackModifiers& modifiers) {
     const double omega = 2.0 * std::numbers::pi * frequency_hz;
     const Distances distances(wheels_m);
     const WaveGrid grid =
-        wavenumber_grid(track, pad_stiffness_n_per_m, omega, distances.farthest(), speed_m_per_s, highest);
+        wavenumber_grid(track, modifiers, pad_stiffness_n_per_m, omega, distances.farthest(), speed_m_per_s, highest);
     const std::size_t orders = static_cast<std::size_t>(2 * highest + 1), count = distances.each.size();
     std::vector<Complex> p(orders);
     std::vector<BothWays> sums(orders * count);
@@ -205,15 +210,15 @@ RollingReceptance rolling_receptance(const TrackParameters& track, double pad_st
         Real k;
         for (int lane = 0; lane < lanes::width; ++lane)
             k[lane] = (group * lanes::width + lane + 0.5) * grid.step + grid.shift;
-        periodic_part(track, pad_stiffness_n_per_m, k, omega - k * speed_m_per_s, highest, p);
+        periodic_part(track, modifiers, pad_stiffness_n_per_m, k, omega - k * speed_m_per_s, highest, p);
         const std::vector<Complex>& wave = waves.at(k);
         for (std::size_t m = 0; m < orders; ++m)
             for (std::size_t d = 0; d < count; ++d) sums[m * count + d].add(p[m], wave[d]);
     }
     std::vector<std::array<Phasor, 2>> beyond;  // forwards and backwards
     for (const double distance : distances.each)
-        beyond.push_back({beyond_reach(track, grid, omega, speed_m_per_s, distance) / grid.step,
-                          beyond_reach(track, grid, omega, speed_m_per_s, -distance) / grid.step});
+        beyond.push_back({beyond_reach(track, modifiers, grid, omega, speed_m_per_s, distance) / grid.step,
+                          beyond_reach(track, modifiers, grid, omega, speed_m_per_s, -distance) / grid.step});
     const std::size_t wheels = wheels_m.size();
     const double scale = grid.step / (2.0 * std::numbers::pi);
     std::vector<Phasor> place;  // of order −highest under every wheel, then one order further each
@@ -235,8 +240,9 @@ RollingReceptance rolling_receptance(const TrackParameters& track, double pad_st
     return result;
 }
 
-Complex rolling_trackbed(const TrackParameters& track, double pad_stiffness_n_per_m, Real omega) {
-    const Seats seats(track, pad_stiffness_n_per_m, Real{}, omega, 0, nullptr);
+Complex rolling_trackbed(const TrackParameters& track, double pad_stiffness_n_per_m, Real omega,
+                         const TrackModifiers& modifiers) {
+    const Seats seats(track, modifiers, pad_stiffness_n_per_m, Real{}, omega, 0, nullptr);
     return seats.seat * seats.share;
 }
 

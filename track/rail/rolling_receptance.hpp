@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lanes/complex_lanes.hpp"
+#include "track/track_modifiers.hpp"
 #include "track/track_parameters.hpp"
 
 namespace railpem::track {
@@ -31,10 +32,11 @@ struct RollingReceptance {
 /// below the critical speed, `highest` ≥ 0.
 RollingReceptance rolling_receptance(const TrackParameters& track, double pad_stiffness_n_per_m,
                                      const std::vector<double>& wheels_m, double speed_m_per_s, double frequency_hz,
-                                     int highest);
+                                     int highest, const TrackModifiers& modifiers = {});
 
 /// The mean over a bay of the sum of all pad forces per unit force at a rolling wheel: what does not move on with it,
 /// K/(L·D_0·(1 + K·Σ_n 1/(L·D_n))) at k = 0. ω > 0 in rad/s.
-lanes::Complex rolling_trackbed(const TrackParameters& track, double pad_stiffness_n_per_m, lanes::Real omega);
+lanes::Complex rolling_trackbed(const TrackParameters& track, double pad_stiffness_n_per_m, lanes::Real omega,
+                                const TrackModifiers& modifiers = {});
 
 }  // namespace railpem::track

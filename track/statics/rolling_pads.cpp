@@ -68,21 +68,21 @@ Real at_least(Real x, double least) {
     return x < floor ? floor : x;
 }
 
-/// g times the pads' correction, and iωc times it.
+/// g times the pads' factor, and iωc times it.
 struct Memory {
     Complex shape, dashpot;
 };
 
-Memory memory_at(const PadParameters& pads, Real omega) {
+Memory memory_at(const PadParameters& pads, Real omega, const lanes::FactorCurve& factor) {
     const Real settled = lanes::broadcast(kSettled_hz), frequency = omega / (2.0 * std::numbers::pi),
                x = frequency / settled, x2 = x * x;
     const Complex own = pad_shape(pads, at_least(frequency, kSettled_hz)), relaxing(x2 / (1.0 + x2), x / (1.0 + x2));
     Memory memory{own, {Real{}, omega * pad_damping(pads)}};
     memory.shape.re = x < 1.0 ? own.re - own.im + 2.0 * own.im * relaxing.re : own.re;
     memory.shape.im = x < 1.0 ? 2.0 * own.im * relaxing.im : own.im;
-    if (pads.correction.empty()) return memory;
-    const Complex correction = pads.correction.at(at_least(omega, 2.0 * std::numbers::pi * kSettled_hz));
-    return {memory.shape * correction, memory.dashpot * correction};
+    if (factor.empty()) return memory;
+    const Complex own_factor = factor.at(at_least(omega, 2.0 * std::numbers::pi * kSettled_hz));
+    return {memory.shape * own_factor, memory.dashpot * own_factor};
 }
 
 /// The linear part of the equation of one pad, at every κ ≥ 0.
@@ -104,7 +104,8 @@ BeamCoefficients still_beam(const TrackParameters& track) {
 }
 
 Equation equation_of(const TrackParameters& track, const std::vector<double>& wheels_m, double wheel_load_n,
-                     double speed, bool standing, const Grid& grid, const std::vector<Phasor>& swelling) {
+                     double speed, bool standing, const Grid& grid, const std::vector<Phasor>& swelling,
+                     const TrackModifiers& modifiers) {
     Equation equation;
     const double bay = 2.0 * std::numbers::pi / track.spacing_m;
     const BeamCoefficients still = still_beam(track);
@@ -113,16 +114,17 @@ Equation equation_of(const TrackParameters& track, const std::vector<double>& wh
         turn.push_back(std::polar(1.0, grid.wavenumber_step() * (wheel + grid.first_m())));
     for (std::size_t first = 0; first < grid.wavenumbers(); first += lanes::width) {
         const Real k = wavenumbers_from(grid, first), omega = k * (standing ? 0.0 : speed);
-        const BeamCoefficients beam = standing ? still : beam_coefficients(track.rail, track.rail_dampers, omega);
+        const BeamCoefficients beam =
+            standing ? still : beam_coefficients(track.rail, track.rail_dampers, omega, modifiers.rail);
         const Complex free = beam_stiffness(beam, -k);
         Complex aliased;
         for (int m = 1; m <= kAliases; ++m)
             aliased += lanes::reciprocal(beam_stiffness(beam, m * bay - k)) +
                        lanes::reciprocal(beam_stiffness(beam, m * bay + k));
-        const Complex below =
-            standing ? Complex(static_support_compliance(track.support)) : support_receptance(track.support, omega);
+        const Complex below = standing ? Complex(static_support_compliance(track.support))
+                                       : support_receptance(track.support, omega, modifiers.support);
         const Complex carried = free * (aliased * (1.0 / track.spacing_m) + below) + 1.0 / track.spacing_m;
-        const Memory memory = standing ? Memory{Complex(1.0), Complex()} : memory_at(track.pads, omega);
+        const Memory memory = standing ? Memory{Complex(1.0), Complex()} : memory_at(track.pads, omega, modifiers.pads);
         const Complex ahead = swelling.empty() ? Complex() : free / beam_stiffness(beam, bay - k),
                       behind = swelling.empty() ? Complex() : free / beam_stiffness(beam, bay + k);
         for (int lane = 0; lane < lanes::width && first + static_cast<std::size_t>(lane) < grid.wavenumbers(); ++lane) {
@@ -236,8 +238,9 @@ namespace {
 /// pad_history() on a grid.
 PadHistory history_on(const Grid& grid, const TrackParameters& track, const std::vector<double>& wheels_m,
                       double wheel_load_n, double speed_m_per_s, bool standing, const std::vector<Phasor>& swelling_n,
-                      const PadHistory* near) {
-    const Equation equation = equation_of(track, wheels_m, wheel_load_n, speed_m_per_s, standing, grid, swelling_n);
+                      const PadHistory* near, const TrackModifiers& modifiers) {
+    const Equation equation =
+        equation_of(track, wheels_m, wheel_load_n, speed_m_per_s, standing, grid, swelling_n, modifiers);
     PadHistory history{.first_m = grid.first_m(),
                        .step_m = grid.step_m,
                        .compression_m = {},
@@ -270,14 +273,15 @@ PadHistory history_on(const Grid& grid, const TrackParameters& track, const std:
 
 PadHistory pad_history(const TrackParameters& track, const std::vector<double>& wheels_m, double wheel_load_n,
                        double speed_m_per_s, bool standing, const std::vector<Phasor>& swelling_n,
-                       const PadHistory* near) {
+                       const PadHistory* near, const TrackModifiers& modifiers) {
     assert(speed_m_per_s > 0.0 || standing);
     return history_on(grid_of(track, wheels_m, kRun_m), track, wheels_m, wheel_load_n, speed_m_per_s, standing,
-                      swelling_n, near);
+                      swelling_n, near, modifiers);
 }
 
 std::vector<Phasor> rolling_deflection(const TrackParameters& track, const std::vector<double>& wheels_m, double speed,
-                                       const PadHistory& history, int orders, bool standing) {
+                                       const PadHistory& history, int orders, bool standing,
+                                       const TrackModifiers& modifiers) {
     const BeamCoefficients still = still_beam(track);
     const double bay = 2.0 * std::numbers::pi / track.spacing_m, step = history.wavenumber_step_per_m;
     const std::size_t wheels = wheels_m.size();
@@ -294,7 +298,8 @@ std::vector<Phasor> rolling_deflection(const TrackParameters& track, const std::
             for (std::size_t wheel = 0; wheel < wheels; ++wheel)
                 phase[wheel].set(lane, turned[wheel]), turned[wheel] *= turn[wheel];
         }
-        const BeamCoefficients beam = standing ? still : beam_coefficients(track.rail, track.rail_dampers, k * speed);
+        const BeamCoefficients beam =
+            standing ? still : beam_coefficients(track.rail, track.rail_dampers, k * speed, modifiers.rail);
         for (int m = 1; m <= orders; ++m) {
             // Of −κ the conjugate: D(2πm/L + κ, −κv) = conj D(2πm/L + κ, κv).
             const Complex ahead = force / beam_stiffness(beam, m * bay - k),
@@ -322,7 +327,7 @@ LoadedDeflection loaded_deflection(const TrackParameters& track, double wheel_lo
     PadHistory history;
     for (int i = 0; i < 3; ++i) {
         const PadHistory less = std::move(history);
-        history = history_on(grid, track, {0.0}, wheel_load_n + (i - 1) * step, 0.0, true, {}, &less);
+        history = history_on(grid, track, {0.0}, wheel_load_n + (i - 1) * step, 0.0, true, {}, &less, {});
         // s = 0: the wheel over the pad
         w[static_cast<std::size_t>(i)] = history.compression_m[history.compression_m.size() / 2];
     }

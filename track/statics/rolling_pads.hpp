@@ -5,6 +5,7 @@
 #include <complex>
 #include <vector>
 
+#include "track/track_modifiers.hpp"
 #include "track/track_parameters.hpp"
 
 namespace railpem::track {
@@ -40,7 +41,8 @@ struct PadHistory {
 /// conjugate. `near`: a history of the same grid (wheels and spacing), from whose compressions the iteration starts.
 PadHistory pad_history(const TrackParameters& track, const std::vector<double>& wheels_m, double wheel_load_n,
                        double speed_m_per_s, bool standing = false,
-                       const std::vector<std::complex<double>>& swelling_n = {}, const PadHistory* near = nullptr);
+                       const std::vector<std::complex<double>>& swelling_n = {}, const PadHistory* near = nullptr,
+                       const TrackModifiers& modifiers = {});
 
 /// Deflection of the rail under each wheel, positive downwards: the coefficients of e^{i·2πm·vt/L}, m = 1 to `orders`,
 /// [(m − 1)·wheels + wheel], t = 0 where x = 0 stands over a seat. `history` of the same track, wheels and speed.
@@ -48,7 +50,7 @@ PadHistory pad_history(const TrackParameters& track, const std::vector<double>& 
 /// `standing` as in pad_history(): under loads that stand at vt, one place after the other.
 std::vector<std::complex<double>> rolling_deflection(const TrackParameters& track, const std::vector<double>& wheels_m,
                                                      double speed_m_per_s, const PadHistory& history, int orders,
-                                                     bool standing = false);
+                                                     bool standing = false, const TrackModifiers& modifiers = {});
 
 /// How the rail over the pad under one wheel that crawls answers to more load: w(P0 + F) = w(P0) + C·F + ½κF².
 struct LoadedDeflection {

@@ -17,7 +17,7 @@ namespace railpem::diagnosis {
 /// response.
 double channel_delay_s(const Fit& fit, const LikelihoodContext& context, std::size_t response, double longest_s);
 
-/// Gives every channel that can be late (timing-skew) a companion that is so by the delay found, where a derivative at
+/// Gives every channel that can be late a companion that is so by the delay found, where a derivative at
 /// nothing does not lead there. `candidates` keeps one for each delay.
 void add_delays(const Fit& fit, const LikelihoodContext& context, std::vector<Candidate>& candidates);
 

@@ -6,8 +6,7 @@
 #include <map>
 
 #include "diagnosis/hypotheses/said_by_others.hpp"
-#include "pem/coupling/sensor_chain.hpp"
-#include "pem/coupling/solution.hpp"
+#include "pem/response_names.hpp"
 
 namespace railpem::diagnosis {
 

@@ -23,7 +23,7 @@ struct ChannelResonance {
 std::optional<ChannelResonance> channel_resonance(const Fit& fit, const LikelihoodContext& context,
                                                   std::size_t response);
 
-/// Gives every channel whose mounting can resonate (sensor-resonance) a companion that does so where it was found.
+/// Gives every channel whose mounting can resonate a companion that does so where it was found.
 /// `candidates` keeps one for each frequency.
 void add_resonances(const Fit& fit, const LikelihoodContext& context, std::vector<Candidate>& candidates);
 

@@ -4,6 +4,8 @@
 
 #include "app/schema/case_file.hpp"
 #include "pem/coupling/solution.hpp"
+#include "pem/coupling/solve_case.hpp"
+#include "pem/response_names.hpp"
 
 int main(int argc, char** argv) {
     if (argc != 2) return 2;

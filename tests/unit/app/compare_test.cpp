@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/tables/level_differences.hpp"
+#include "pem/response_names.hpp"
 #include "program_in_process.hpp"
 
 namespace railpem::app {

@@ -1,4 +1,5 @@
 #include "app/tables/response_tables.hpp"
+#include "pem/response_names.hpp"
 
 #include <gtest/gtest.h>
 

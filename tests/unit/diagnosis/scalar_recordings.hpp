@@ -9,7 +9,9 @@
 #include "diagnosis/diagnose.hpp"
 #include "diagnosis/observations/observe_scalars.hpp"
 #include "pem/coupling/solution.hpp"
+#include "pem/coupling/solve_case.hpp"
 #include "pem/coupling/track_response.hpp"
+#include "pem/response_names.hpp"
 #include "spectra/third_octaves.hpp"
 
 namespace railpem::diagnosis {

@@ -8,6 +8,7 @@
 #include "pem/contact.hpp"
 #include "pem/coupling/coupled_model.hpp"
 #include "pem/coupling/sensor_chain.hpp"
+#include "pem/response_names.hpp"
 #include "tests/unit/lanes/in_turn.hpp"
 #include "tests/verification/pem/paper_case.hpp"
 
@@ -88,25 +89,25 @@ TEST_P(CaseCorrection, EqualsTheScaledParameter) {
 
 INSTANTIATE_TEST_SUITE_P(
     Places, CaseCorrection,
-    testing::Values(Correction{"contact", [](CaseParameters& c) { c.contact.correction = constant(1.2); },
+    testing::Values(Correction{"contact", [](CaseParameters& c) { c.modifiers.contact = constant(1.2); },
                                [](CaseParameters& c) {
                                    c.contact.constant_m_per_n23 =
                                        contact_constant(c.contact, c.vehicle.wheel_radius_m) / 1.2;
                                }},
-                    Correction{"pads", [](CaseParameters& c) { c.track.pads.correction = constant(1.2); },
+                    Correction{"pads", [](CaseParameters& c) { c.modifiers.track.pads = constant(1.2); },
                                [](CaseParameters& c) {
                                    c.track.pads.dynamic_to_static_ratio *= 1.2;
                                    c.track.pads.damping_n_s_per_m *= 1.2;
                                }},
-                    Correction{"rail", [](CaseParameters& c) { c.track.rail.correction = constant(1.2); },
+                    Correction{"rail", [](CaseParameters& c) { c.modifiers.track.rail = constant(1.2); },
                                // its weight is stated apart
                                [](CaseParameters& c) { c.track.rail.mass_kg_per_m *= 1.2; }},
-                    Correction{"primary", [](CaseParameters& c) { c.vehicle.primary.correction = constant(1.2); },
+                    Correction{"primary", [](CaseParameters& c) { c.modifiers.vehicle.primary = constant(1.2); },
                                [](CaseParameters& c) {
                                    c.vehicle.primary.stiffness_n_per_m *= 1.2;
                                    c.vehicle.primary.damping_n_s_per_m *= 1.2;
                                }},
-                    Correction{"wheel", [](CaseParameters& c) { c.vehicle.wheel_correction = constant(1.2); },
+                    Correction{"wheel", [](CaseParameters& c) { c.modifiers.vehicle.wheelsets = constant(1.2); },
                                // the wheel load is stated
                                [](CaseParameters& c) { c.vehicle.wheelset_mass_kg *= 1.2; }}),
     [](const auto& tested) { return std::string(tested.param.name); });
@@ -114,7 +115,7 @@ INSTANTIATE_TEST_SUITE_P(
 /// P = (1/(K_h·c) + V + R)⁻¹·r: the inverse of the forces differs from the uncorrected one on its diagonal only.
 TEST(ContactCorrection, ComplexComplianceOnTheDiagonal) {
     CaseParameters corrected = exact_case();
-    corrected.contact.correction = {.frequency_hz = {5.0, 150.0}, .value = {{0.8, 0.1}, {0.5, 0.4}}};
+    corrected.modifiers.contact = {.frequency_hz = {5.0, 150.0}, .value = {{0.8, 0.1}, {0.5, 0.4}}};
     const CoupledModel model = coupled_model(corrected, tests::kPaperSpeed);
     CoupledWorkspace work(model);
     const GroupSolution& solution = solve_group(model, omega, work);
@@ -124,18 +125,18 @@ TEST(ContactCorrection, ComplexComplianceOnTheDiagonal) {
                 Complex product = 0.0;  // (1/(K_h·c) + V + R)·P
                 for (int k = 0; k < 4; ++k) {
                     Complex entry = (solution.car.wheel(i, k) + solution.rail[i][k])[lane];
-                    if (i == k) entry += model.contact_compliance[i] / corrected.contact.correction.at(omega[lane]);
+                    if (i == k) entry += model.contact_compliance[i] / corrected.modifiers.contact.at(omega[lane]);
                     product += entry * solution.forces[k][j][lane];
                 }
                 EXPECT_NEAR(std::abs(product - Complex(i == j)), 0.0, 1e-12);
             }
 }
 
-TEST(SensorCorrection, IsAFactorOfTheTransfer) {
-    SensorParameters sensor{.channel = "bogie_1", .gain = -1.1, .resonance_frequency_hz = 300.0, .delay_s = 1e-3};
-    const Complex plain = sensor_transfer(sensor, 16.0);
-    sensor.correction = {.frequency_hz = {4.0, 64.0}, .value = {{1.0, 0.2}, {2.0, -0.6}}};
-    EXPECT_NEAR(std::abs(sensor_transfer(sensor, 16.0) / plain - Complex(1.5, -0.2)), 0.0, 1e-14);
+TEST(SensorCorrection, IsThatOfTheChannelThatMeasuresTheResponse) {
+    Modifiers modifiers;
+    modifiers.sensors["axlebox_1"] = {.frequency_hz = {4.0, 64.0}, .value = {{1.0, 0.2}, {2.0, -0.6}}};
+    EXPECT_NEAR(std::abs(sensor_correction(modifiers, "wheel_1", 16.0) - Complex(1.5, -0.2)), 0.0, 1e-14);
+    EXPECT_EQ(sensor_correction(modifiers, "wheel_2", 16.0), Complex(1.0));
 }
 
 }  // namespace

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "pem/coupling/solution.hpp"
 #include "pem/coupling/wheel_transfers.hpp"
+#include "pem/response_names.hpp"
 #include "tests/verification/pem/paper_case.hpp"
 
 namespace railpem::pem {

@@ -1,6 +1,7 @@
 // The iteration behind equivalent damping and stiffness: it settles, wherever it starts.
 
 #include "pem/coupling/linearise.hpp"
+#include "pem/coupling/excite.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,5 @@
 #include "pem/distortion/pad_distortion.hpp"
+#include "pem/coupling/excite.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,5 @@
 #include "pem/distortion/passing_modulation.hpp"
+#include "pem/coupling/excite.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +7,6 @@
 #include <cmath>
 #include <complex>
 
-#include "pem/coupling/solution.hpp"
 #include "tests/verification/pem/paper_case.hpp"
 
 namespace railpem::pem {

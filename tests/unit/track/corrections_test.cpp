@@ -24,8 +24,13 @@ lanes::FactorCurve constant(Complex value) {
     return {.frequency_hz = {30.0}, .value = {value}};
 }
 
-TrackParameters two_layer_track() {
-    TrackParameters track = wei2016_track();
+/// A track and what it differs by from its parameters.
+struct Track : TrackParameters {
+    TrackModifiers modifiers;
+};
+
+Track two_layer_track() {
+    Track track{wei2016_track(), {}};
     track.rail.loss_factor = 0.01;
     track.rail_dampers = {{.mass_kg_per_m = 10.0, .frequency_hz = 150.0}};
     track.support = {.model = SupportModel::two_layer,
@@ -37,15 +42,15 @@ TrackParameters two_layer_track() {
     return track;
 }
 
-TrackParameters timoshenko_track() {
-    TrackParameters track = two_layer_track();
+Track timoshenko_track() {
+    Track track = two_layer_track();
     track.rail.beam = Beam::timoshenko;
     return track;
 }
 
 /// Receptances between three points and their trackbed forces at four frequencies.
-std::vector<Complex> exact(const TrackParameters& track) {
-    const ExactRail rail = uniform_rail(track, {0.0, 2.4, 2.75}, kPad);
+std::vector<Complex> exact(const Track& track) {
+    const ExactRail rail = uniform_rail(track, {0.0, 2.4, 2.75}, kPad, track.modifiers);
     ExactRailWorkspace work(rail);
     const lanes::Real omega = lanes::tests::in_turn({8.0, 90.0, 600.0, 5000.0});
     const RailReceptance& found = rail_receptance(rail, omega, work);
@@ -56,13 +61,13 @@ std::vector<Complex> exact(const TrackParameters& track) {
     return values;
 }
 
-std::vector<Complex> modal(const TrackParameters& track) {
+std::vector<Complex> modal(const Track& track) {
     const std::vector<double> pads{-1.8, -1.2, -0.6, 0.0, 0.6, 1.2, 1.8};
-    const ModalRail rail = modal_rail(track, pads, {0.0, 0.7}, 30);
+    const ModalRail rail = modal_rail(track, pads, {0.0, 0.7}, 30, track.modifiers);
     std::vector<Complex> values;
     for (const double f : {5.0, 60.0, 400.0}) {
-        const Eigen::VectorXcd seats =
-            Eigen::VectorXcd::Constant(static_cast<Eigen::Index>(pads.size()), seat_stiffness(track, kPad, 1.0, f));
+        const Eigen::VectorXcd seats = Eigen::VectorXcd::Constant(static_cast<Eigen::Index>(pads.size()),
+                                                                  seat_stiffness(track, kPad, 1.0, f, track.modifiers));
         const ModalReceptance found = modal_receptance(rail, f, seats);
         values.insert(values.end(), found.at_points.data(), found.at_points.data() + found.at_points.size());
         values.insert(values.end(), found.trackbed.data(), found.trackbed.data() + found.trackbed.size());
@@ -70,10 +75,10 @@ std::vector<Complex> modal(const TrackParameters& track) {
     return values;
 }
 
-std::vector<Complex> rolling(const TrackParameters& track) {
+std::vector<Complex> rolling(const Track& track) {
     std::vector<Complex> values;
     for (const double f : {15.0, 120.0}) {
-        const RollingReceptance found = rolling_receptance(track, kPad, {0.0, -2.4}, 22.0, f, 1);
+        const RollingReceptance found = rolling_receptance(track, kPad, {0.0, -2.4}, 22.0, f, 1, track.modifiers);
         values.insert(values.end(), found.values.begin(), found.values.end());
     }
     return values;
@@ -91,10 +96,10 @@ void expect_equal(const std::vector<Complex>& found, const std::vector<Complex>&
 
 struct Correction {
     const char* name;
-    std::function<void(TrackParameters&)> correct, reference;
+    std::function<void(Track&)> correct, reference;
 };
 
-void heavier(TrackParameters& track) {
+void heavier(Track& track) {
     track.rail.mass_kg_per_m *= 1.2;
     track.rail_dampers.front().mass_kg_per_m *= 1.2;
     // Timoshenko: a larger area keeps the rotary inertia m·I/A, which bears no correction, and κA is kept as well.
@@ -105,13 +110,13 @@ void heavier(TrackParameters& track) {
 class TrackCorrection : public testing::TestWithParam<Correction> {};
 
 TEST_P(TrackCorrection, EqualsTheScaledParameter) {
-    using Solution = std::vector<Complex> (*)(const TrackParameters&);
-    const std::pair<Solution, TrackParameters> solutions[]{{exact, two_layer_track()},
-                                                           {exact, timoshenko_track()},
-                                                           {modal, two_layer_track()},
-                                                           {rolling, two_layer_track()}};
+    using Solution = std::vector<Complex> (*)(const Track&);
+    const std::pair<Solution, Track> solutions[]{{exact, two_layer_track()},
+                                                 {exact, timoshenko_track()},
+                                                 {modal, two_layer_track()},
+                                                 {rolling, two_layer_track()}};
     for (const auto& [solve, plain] : solutions) {
-        TrackParameters corrected = plain, scaled = plain;
+        Track corrected = plain, scaled = plain;
         GetParam().correct(corrected);
         GetParam().reference(scaled);
         // Rounding times the conditions: 1e5 of the modal stiffness. The quadrature of rolling wheels is as fine as the
@@ -126,35 +131,35 @@ TEST_P(TrackCorrection, EqualsTheScaledParameter) {
 
 INSTANTIATE_TEST_SUITE_P(
     Places, TrackCorrection,
-    testing::Values(Correction{"rail", [](TrackParameters& track) { track.rail.correction = constant(1.2); }, heavier},
-                    Correction{"pads", [](TrackParameters& track) { track.pads.correction = constant(1.2); },
-                               [](TrackParameters& track) {
+    testing::Values(Correction{"rail", [](Track& track) { track.modifiers.rail = constant(1.2); }, heavier},
+                    Correction{"pads", [](Track& track) { track.modifiers.pads = constant(1.2); },
+                               [](Track& track) {
                                    // The shape takes the scale of the spring: K0 is given to the solutions from
                                    // outside.
                                    track.pads.reference_frequency_hz /= std::pow(1.2, 1.0 / track.pads.exponent);
                                    track.pads.damping_n_s_per_m *= 1.2;
                                }},
-                    Correction{"support", [](TrackParameters& track) { track.support.correction = constant(1.2); },
-                               [](TrackParameters& track) {
+                    Correction{"support", [](Track& track) { track.modifiers.support = constant(1.2); },
+                               [](Track& track) {
                                    track.support.stiffness_n_per_m *= 1.2;
                                    track.support.damping_n_s_per_m *= 1.2;
                                }},
                     Correction{"pad_loss",
-                               [](TrackParameters& track) {
+                               [](Track& track) {
                                    track.pads.damping_n_s_per_m = 0.0;
-                                   track.pads.correction = constant({1.0, 0.3});
+                                   track.modifiers.pads = constant({1.0, 0.3});
                                },
-                               [](TrackParameters& track) {
+                               [](Track& track) {
                                    track.pads.damping_n_s_per_m = 0.0;
                                    track.pads.loss_law = LossLaw::constant;
                                    track.pads.loss_factor = 0.3;
                                }},
                     Correction{"support_loss",
-                               [](TrackParameters& track) {
+                               [](Track& track) {
                                    track.support.damping_n_s_per_m = track.support.loss_factor = 0.0;
-                                   track.support.correction = constant({1.0, 0.4});
+                                   track.modifiers.support = constant({1.0, 0.4});
                                },
-                               [](TrackParameters& track) {
+                               [](Track& track) {
                                    track.support.damping_n_s_per_m = 0.0;
                                    track.support.loss_factor = 0.4;
                                }}),
@@ -162,22 +167,23 @@ INSTANTIATE_TEST_SUITE_P(
 
 /// Each frequency has its own value, and the seats of the two rail solutions agree about it.
 TEST(SeatCorrection, VariesWithFrequencyAlikeInBothSolutions) {
-    TrackParameters track = two_layer_track();
-    track.pads.correction = {.frequency_hz = {10.0, 200.0}, .value = {{1.2, 0.1}, {0.7, 0.4}}};
-    track.support.correction = {.frequency_hz = {20.0, 100.0}, .value = {{0.9, 0.2}, {1.3, 0.1}}};
+    Track track = two_layer_track();
+    track.modifiers.pads = {.frequency_hz = {10.0, 200.0}, .value = {{1.2, 0.1}, {0.7, 0.4}}};
+    track.modifiers.support = {.frequency_hz = {20.0, 100.0}, .value = {{0.9, 0.2}, {1.3, 0.1}}};
     const lanes::Real omega = lanes::tests::in_turn({30.0, 200.0, 500.0, 3000.0});
-    const lanes::Complex lanewise = SupportLaw(track.pads, track.support, omega).stiffness(kPad, 0.8);
+    const lanes::Complex lanewise = SupportLaw(track.pads, track.support, omega, track.modifiers).stiffness(kPad, 0.8);
     for (int lane = 0; lane < lanes::width; ++lane) {
-        const Complex single = seat_stiffness(track, kPad, 0.8, omega[lane] / (2.0 * std::numbers::pi));
+        const Complex single =
+            seat_stiffness(track, kPad, 0.8, omega[lane] / (2.0 * std::numbers::pi), track.modifiers);
         EXPECT_NEAR(std::abs(lanewise[lane] / single - 1.0), 0.0, 1e-13) << lane;
     }
 }
 
 TEST(SeatCorrection, RigidGroundHasNone) {
-    TrackParameters track = wei2016_track();
-    const Complex plain = seat_stiffness(track, kPad, 1.0, 50.0);
-    track.support.correction = constant(1.2);
-    EXPECT_EQ(seat_stiffness(track, kPad, 1.0, 50.0), plain);
+    Track track{wei2016_track(), {}};
+    const Complex plain = seat_stiffness(track, kPad, 1.0, 50.0, track.modifiers);
+    track.modifiers.support = constant(1.2);
+    EXPECT_EQ(seat_stiffness(track, kPad, 1.0, 50.0, track.modifiers), plain);
 }
 
 }  // namespace

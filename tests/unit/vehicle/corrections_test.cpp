@@ -14,8 +14,17 @@ namespace {
 
 const lanes::FactorCurve by_1_2{.frequency_hz = {30.0}, .value = {1.2}};
 
-VehicleParameters car() {
-    VehicleParameters v;
+/// A car and what it differs by from its parameters.
+struct Car : VehicleParameters {
+    VehicleModifiers modifiers;
+};
+
+HalfVehicle built(const Car& car) {
+    return half_vehicle(car, car.modifiers);
+}
+
+Car car() {
+    Car v;
     v.body_mass_kg = 38500;
     v.body_pitch_inertia_kg_m2 = 2.5e6;
     v.bogie_mass_kg = 2980;
@@ -39,17 +48,16 @@ void scale(SuspensionParameters& law) {
 
 struct Correction {
     const char* name;
-    std::function<void(VehicleParameters&)> correct, reference;
+    std::function<void(Car&)> correct, reference;
 };
 
 class VehicleCorrection : public testing::TestWithParam<Correction> {};
 
 TEST_P(VehicleCorrection, EqualsTheScaledParameter) {
-    VehicleParameters corrected = car(), scaled = car();
+    Car corrected = car(), scaled = car();
     GetParam().correct(corrected);
     GetParam().reference(scaled);
-    const HalfVehicle plain_car = half_vehicle(car()), corrected_car = half_vehicle(corrected),
-                      scaled_car = half_vehicle(scaled);
+    const HalfVehicle plain_car = built(car()), corrected_car = built(corrected), scaled_car = built(scaled);
     Workspace plain_work(plain_car), corrected_work(corrected_car), scaled_work(scaled_car);
     const lanes::Real omega = lanes::tests::in_turn({4.0, 30.0, 170.0, 900.0});
     const WheelReceptance plain = wheel_receptance(plain_car, omega, plain_work);
@@ -69,30 +77,29 @@ TEST_P(VehicleCorrection, EqualsTheScaledParameter) {
     EXPECT_GT(change, 0.01) << "the correction must be felt";
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Places, VehicleCorrection,
-    testing::Values(Correction{"primary", [](VehicleParameters& v) { v.primary.correction = by_1_2; },
-                               [](VehicleParameters& v) { scale(v.primary); }},
-                    Correction{"secondary", [](VehicleParameters& v) { v.secondary.correction = by_1_2; },
-                               [](VehicleParameters& v) { scale(v.secondary); }},
-                    Correction{"body", [](VehicleParameters& v) { v.body_correction = by_1_2; },
-                               [](VehicleParameters& v) {
-                                   v.body_mass_kg *= 1.2;
-                                   v.body_pitch_inertia_kg_m2 *= 1.2;
-                               }},
-                    Correction{"bogie", [](VehicleParameters& v) { v.bogie_correction = by_1_2; },
-                               [](VehicleParameters& v) {
-                                   v.bogie_mass_kg *= 1.2;
-                                   v.bogie_pitch_inertia_kg_m2 *= 1.2;
-                               }},
-                    Correction{"wheel", [](VehicleParameters& v) { v.wheel_correction = by_1_2; },
-                               [](VehicleParameters& v) { v.wheelset_mass_kg *= 1.2; }}),
-    [](const auto& tested) { return std::string(tested.param.name); });
+INSTANTIATE_TEST_SUITE_P(Places, VehicleCorrection,
+                         testing::Values(Correction{"primary", [](Car& v) { v.modifiers.primary = by_1_2; },
+                                                    [](Car& v) { scale(v.primary); }},
+                                         Correction{"secondary", [](Car& v) { v.modifiers.secondary = by_1_2; },
+                                                    [](Car& v) { scale(v.secondary); }},
+                                         Correction{"body", [](Car& v) { v.modifiers.body = by_1_2; },
+                                                    [](Car& v) {
+                                                        v.body_mass_kg *= 1.2;
+                                                        v.body_pitch_inertia_kg_m2 *= 1.2;
+                                                    }},
+                                         Correction{"bogie", [](Car& v) { v.modifiers.bogies = by_1_2; },
+                                                    [](Car& v) {
+                                                        v.bogie_mass_kg *= 1.2;
+                                                        v.bogie_pitch_inertia_kg_m2 *= 1.2;
+                                                    }},
+                                         Correction{"wheel", [](Car& v) { v.modifiers.wheelsets = by_1_2; },
+                                                    [](Car& v) { v.wheelset_mass_kg *= 1.2; }}),
+                         [](const auto& tested) { return std::string(tested.param.name); });
 
 /// Largest difference of the receptances between wheels, relative to the largest of them; `mirrored`: of the second car
 /// seen from its other end.
-double difference(const VehicleParameters& first, const VehicleParameters& second, bool mirrored) {
-    const HalfVehicle one = half_vehicle(first), other = half_vehicle(second);
+double difference(const Car& first, const Car& second, bool mirrored) {
+    const HalfVehicle one = built(first), other = built(second);
     Workspace one_work(one), other_work(other);
     const lanes::Real omega = lanes::tests::in_turn({4.0, 30.0, 170.0, 900.0});
     const WheelReceptance a = wheel_receptance(one, omega, one_work), b = wheel_receptance(other, omega, other_work);
@@ -108,18 +115,18 @@ double difference(const VehicleParameters& first, const VehicleParameters& secon
 }
 
 TEST(CorrectionOfASingleOne, OnAllOfThemIsTheCorrectionOfTheKind) {
-    VehicleParameters kind = car(), each = car();
-    kind.wheel_correction = kind.bogie_correction = by_1_2;
-    each.one_wheelset_correction.fill(by_1_2);
-    each.one_bogie_correction.fill(by_1_2);
+    Car kind = car(), each = car();
+    kind.modifiers.wheelsets = kind.modifiers.bogies = by_1_2;
+    each.modifiers.one_wheelset.fill(by_1_2);
+    each.modifiers.one_bogie.fill(by_1_2);
     EXPECT_LE(difference(kind, each, false), 1e-13);
 }
 
 TEST(CorrectionOfASingleOne, IsMirroredByTheOtherEndAndIsNotTheNextOne) {
-    VehicleParameters first = car(), second = car(), last = car();
-    first.one_wheelset_correction[0] = first.one_bogie_correction[0] = by_1_2;
-    last.one_wheelset_correction[3] = last.one_bogie_correction[1] = by_1_2;
-    second.one_wheelset_correction[1] = second.one_bogie_correction[0] = by_1_2;
+    Car first = car(), second = car(), last = car();
+    first.modifiers.one_wheelset[0] = first.modifiers.one_bogie[0] = by_1_2;
+    last.modifiers.one_wheelset[3] = last.modifiers.one_bogie[1] = by_1_2;
+    second.modifiers.one_wheelset[1] = second.modifiers.one_bogie[0] = by_1_2;
     EXPECT_LE(difference(first, last, true), 1e-12);
     EXPECT_GT(difference(first, last, false), 0.01);
     EXPECT_GT(difference(first, second, false), 0.01);
@@ -132,35 +139,35 @@ Attachments at_both_ends(const lanes::FactorCurve& curve) {
 TEST(Attachment, AtFrontAndRearIsInertiaAgainstBothMotions) {
     // (z + rθ)² + (z − rθ)² = 2(z² + r²θ²): a tenth of the mass at each end is a fifth of mass and pitch inertia.
     const lanes::FactorCurve tenth{.frequency_hz = {30.0}, .value = {0.1}};
-    VehicleParameters attached = car(), heavier = car();
-    attached.body_attachments = at_both_ends(tenth);
-    heavier.body_correction = by_1_2;
+    Car attached = car(), heavier = car();
+    attached.modifiers.body_attachments = at_both_ends(tenth);
+    heavier.modifiers.body = by_1_2;
     EXPECT_LE(difference(attached, heavier, false), 1e-13);
     EXPECT_GT(difference(attached, car(), false), 0.01);
 }
 
 TEST(Attachment, AtTheCentreIsMassAlone) {
     const lanes::FactorCurve fifth{.frequency_hz = {30.0}, .value = {0.2}};
-    VehicleParameters attached = car(), heavier = car();
-    attached.body_attachments.centre = fifth;
+    Car attached = car(), heavier = car();
+    attached.modifiers.body_attachments.centre = fifth;
     heavier.body_mass_kg *= 1.2;
     EXPECT_LE(difference(attached, heavier, false), 1e-13);
 }
 
 TEST(Attachment, AtOneEndIsMirroredByTheOther) {
     const lanes::FactorCurve half{.frequency_hz = {30.0}, .value = {0.5}};
-    VehicleParameters front = car(), rear = car();
-    front.body_attachments.front = half;
-    rear.body_attachments.rear = half;
+    Car front = car(), rear = car();
+    front.modifiers.body_attachments.front = half;
+    rear.modifiers.body_attachments.rear = half;
     EXPECT_LE(difference(front, rear, true), 1e-12);
     EXPECT_GT(difference(front, rear, false), 0.01);
 }
 
 TEST(Attachment, BetweenTheBogiesHoldsThemTogether) {
     // A mass 1e9 times the bogie's on their difference in heave: both heave alike, whatever wheel is pushed.
-    VehicleParameters held = car();
-    held.between_bogies.centre = {.frequency_hz = {30.0}, .value = {1e9}};
-    const HalfVehicle model = half_vehicle(held);
+    Car held = car();
+    held.modifiers.between_bogies.centre = {.frequency_hz = {30.0}, .value = {1e9}};
+    const HalfVehicle model = built(held);
     Workspace work(model);
     const WheelReceptance found = wheel_receptance(model, lanes::tests::in_turn({4.0, 30.0, 170.0, 900.0}), work);
     for (std::size_t wheel = 0; wheel < 4; ++wheel)
@@ -174,10 +181,10 @@ TEST(Attachment, BetweenTheBogiesHoldsThemTogether) {
 TEST(Attachment, AtTheFrontHoldsTheFront) {
     // 1e9 times the body's mass a radius of gyration (8.1 m) ahead of its centre: it turns about that point, and the
     // front pivot (9 m) hardly moves.
-    VehicleParameters held = car();
+    Car held = car();
     held.body_bending.clear();
-    held.body_attachments.front = {.frequency_hz = {30.0}, .value = {1e9}};
-    const HalfVehicle model = half_vehicle(held);
+    held.modifiers.body_attachments.front = {.frequency_hz = {30.0}, .value = {1e9}};
+    const HalfVehicle model = built(held);
     Workspace work(model);
     const WheelReceptance found = wheel_receptance(model, lanes::tests::in_turn({4.0, 30.0, 170.0, 900.0}), work);
     const auto &front = found.at[static_cast<int>(Place::body_front)],
@@ -188,10 +195,11 @@ TEST(Attachment, AtTheFrontHoldsTheFront) {
 TEST(Attachment, BetweenTheBogiesActsTowardsTheMiddleOfTheCar) {
     // (z₁ + rθ₁) − (z₂ − rθ₂): at the front of bogie 1 and at the rear of bogie 2, so that the outer wheels feel it
     // more than the inner ones.
-    VehicleParameters outer = car(), inner = car();
-    outer.between_bogies.front = inner.between_bogies.rear = {.frequency_hz = {30.0}, .value = {1e3}};
+    Car outer = car(), inner = car();
+    outer.modifiers.between_bogies.front =
+        inner.modifiers.between_bogies.rear = {.frequency_hz = {30.0}, .value = {1e3}};
     EXPECT_LE(difference(outer, outer, true), 1e-9);
-    const HalfVehicle held_outside = half_vehicle(outer), held_inside = half_vehicle(inner);
+    const HalfVehicle held_outside = built(outer), held_inside = built(inner);
     Workspace outside_work(held_outside), inside_work(held_inside);
     const lanes::Real omega = lanes::tests::in_turn({4.0, 30.0, 170.0, 900.0});
     const WheelReceptance outside = wheel_receptance(held_outside, omega, outside_work),
@@ -205,13 +213,13 @@ TEST(Attachment, BetweenTheBogiesActsTowardsTheMiddleOfTheCar) {
 }
 
 TEST(SuspensionCorrection, ActsOnFrictionTooAndAtItsOwnFrequency) {
-    SuspensionParameters law{.stiffness_n_per_m = 2.1e6, .damping_n_s_per_m = 4.9e4};
+    const SuspensionParameters law{.stiffness_n_per_m = 2.1e6, .damping_n_s_per_m = 4.9e4};
     const lanes::Real omega = lanes::tests::in_turn({4.0, 30.0, 170.0, 900.0});
     const lanes::Complex plain = suspension_stiffness(law, 1e4, omega);
-    law.correction = {.frequency_hz = {1.0, 100.0}, .value = {{1.0, 0.1}, {1.5, -0.2}}};
-    const lanes::Complex found = suspension_stiffness(law, 1e4, omega);
+    const lanes::FactorCurve factor{.frequency_hz = {1.0, 100.0}, .value = {{1.0, 0.1}, {1.5, -0.2}}};
+    const lanes::Complex found = suspension_stiffness(law, 1e4, omega, factor);
     for (int lane = 0; lane < lanes::width; ++lane)
-        EXPECT_NEAR(std::abs(found[lane] / plain[lane] - law.correction.at(omega[lane])), 0.0, 1e-15);
+        EXPECT_NEAR(std::abs(found[lane] / plain[lane] - factor.at(omega[lane])), 0.0, 1e-15);
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ Element place_of(const pem::WheelsOwn& own) {
     Synthesised made = synthesised(
         paper_believed({"vehicle.bogie_mass_kg", "vehicle.wheelset_mass_kg", "vehicle.primary.stiffness_n_per_m"}),
         {15.0, 80.0 / 3.6}, 60.0, nine_channels(), {.window_s = 2.0, .low_hz = 2.0, .high_hz = 120.0});
-    made.truth.numbers.wheels_own = own;
+    made.truth.numbers.modifiers.wheels_own = own;
     made.draw(5);
     const LikelihoodContext context = made.context(Part::fitted, 2);
     const FittedSet retuned = fit_set(made.believed, Fit{}, {}, {}, {}, context, {});
@@ -26,7 +26,8 @@ Element place_of(const pem::WheelsOwn& own) {
     PlaceStudy study;
     study.anonymous = {
         fit_correction(made.believed, retuned, places.front(), context, {.iterations = 12, .from_far = false})};
-    for (const double share : study.anonymous.front().fit.trial.numbers.wheels_own.share) std::printf("%.5f ", share);
+    for (const double share : study.anonymous.front().fit.trial.numbers.modifiers.wheels_own.share)
+        std::printf("%.5f ", share);
     std::printf("\n");
     tell_ground_from_pads(study);
     return study.anonymous.front().anonymous.front().element;

@@ -51,7 +51,7 @@ std::vector<LocatedEvidence> located(const std::function<void(pem::CaseParameter
 // first.
 TEST(Locate, BufferAtAnEndOfTheBody) {
     const auto places = located([](pem::CaseParameters& own) {
-        own.vehicle.body_attachments.rear = spring(3e5, own.vehicle.body_mass_kg / 2.0);
+        own.modifiers.vehicle.body_attachments.rear = spring(3e5, own.vehicle.body_mass_kg / 2.0);
     });
     EXPECT_EQ(places.front().place.element, Element::body);
     EXPECT_TRUE(places.front().place.attached);
@@ -60,7 +60,7 @@ TEST(Locate, BufferAtAnEndOfTheBody) {
 // Nor can factors on the inertia of one bogie or both say that one moves the other.
 TEST(Locate, LinkBetweenTheBogies) {
     const auto places = located([](pem::CaseParameters& own) {
-        own.vehicle.between_bogies.rear = spring(3e5, own.vehicle.bogie_mass_kg / 2.0);
+        own.modifiers.vehicle.between_bogies.rear = spring(3e5, own.vehicle.bogie_mass_kg / 2.0);
     });
     EXPECT_EQ(places.front().place.element, Element::bogie);
     EXPECT_TRUE(places.front().place.attached);
@@ -70,7 +70,7 @@ TEST(Locate, LinkBetweenTheBogies) {
 // makes bogies and body vibrate incoherently with all else, and the noise of two bogie sensors would stand in for it.
 TEST(Locate, ForcesOfTheSecondarySuspension) {
     const auto places = located([](pem::CaseParameters& own) {
-        own.vehicle.secondary.own_force = {
+        own.modifiers.secondary_forces = {
             .frequency_hz = {3.0, 8.0, 20.0}, .reference_n2_per_hz = {1e3, 1e4, 1e2}, .share = {1.0, 1.0, 1.0}};
     });
     EXPECT_EQ(places.front().place.element, Element::secondary);
@@ -81,7 +81,7 @@ TEST(Locate, ForcesOfTheSecondarySuspension) {
 // forces of the primary suspension would stand in for it, at half of its nats.
 TEST(Locate, WhatEachWheelMeetsByItself) {
     const auto places = located([](pem::CaseParameters& own) {
-        own.wheels_own = {.frequency_hz = {6.0, 8.0, 30.0, 35.0}, .share = {0.0, 0.01, 0.01, 0.0}};
+        own.modifiers.wheels_own = {.frequency_hz = {6.0, 8.0, 30.0, 35.0}, .share = {0.0, 0.01, 0.01, 0.0}};
     });
     EXPECT_EQ(places.front().place.element, Element::pad);
     EXPECT_TRUE(places.front().place.forces);

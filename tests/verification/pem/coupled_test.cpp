@@ -13,6 +13,9 @@
 #include "pem/contact.hpp"
 #include "pem/coupling/coupled_model.hpp"
 #include "pem/coupling/solution.hpp"
+#include "pem/coupling/solve_case.hpp"
+#include "pem/rail/case_equilibrium.hpp"
+#include "pem/response_names.hpp"
 #include "spectra/irregularity_spectrum.hpp"
 #include "track/rail/exact_rail.hpp"
 

@@ -10,10 +10,13 @@
 
 #include "paper_case.hpp"
 #include "pem/contact.hpp"
+#include "pem/coupling/excite.hpp"
 #include "pem/coupling/linearise.hpp"
 #include "pem/coupling/passing_lines.hpp"
 #include "pem/coupling/sensor_chain.hpp"
 #include "pem/coupling/solution.hpp"
+#include "pem/coupling/solve_case.hpp"
+#include "pem/response_names.hpp"
 #include "spectra/irregularity_spectrum.hpp"
 #include "spectra/rail_joint_lines.hpp"
 

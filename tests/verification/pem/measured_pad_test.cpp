@@ -13,6 +13,8 @@
 
 #include "paper_case.hpp"
 #include "pem/coupling/solution.hpp"
+#include "pem/coupling/solve_case.hpp"
+#include "pem/response_names.hpp"
 #include "spectra/third_octaves.hpp"
 #include "track/pads/fit_power_law.hpp"
 #include "track/pads/pad_law.hpp"

@@ -11,7 +11,9 @@
 
 #include "app/schema/case_file.hpp"
 #include "pem/coupling/solution.hpp"
-#include "pem/rail/rail_model.hpp"
+#include "pem/coupling/solve_case.hpp"
+#include "pem/rail/case_equilibrium.hpp"
+#include "pem/response_names.hpp"
 
 namespace {
 

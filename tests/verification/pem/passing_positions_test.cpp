@@ -10,8 +10,8 @@
 
 #include "every_track_effect.hpp"
 #include "pem/coupling/passing_lines.hpp"
+#include "pem/rail/case_equilibrium.hpp"
 #include "pem/rail/passing_positions.hpp"
-#include "pem/rail/rail_model.hpp"
 #include "track/rail/exact_rail.hpp"
 
 namespace {

@@ -5,8 +5,10 @@
 #include <numbers>
 #include <tuple>
 
+#include "pem/coupling/excite.hpp"
 #include "pem/coupling/wheel_transfers.hpp"
 #include "pem/distortion/modulated_forces.hpp"
+#include "pem/response_names.hpp"
 #include "tests/verification/simulate/transfer.hpp"
 
 namespace railpem::tests {

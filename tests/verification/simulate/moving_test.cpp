@@ -2,6 +2,8 @@
 // the deflection under a moving load, no line at speed over element length.
 #include <gtest/gtest.h>
 
+#include "pem/coupling/solve_case.hpp"
+#include "pem/response_names.hpp"
 #include "tests/verification/simulate/transfer.hpp"
 
 namespace railpem::tests {

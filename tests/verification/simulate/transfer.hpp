@@ -12,6 +12,8 @@
 
 #include <algorithm>
 #include "pem/coupling/solution.hpp"
+#include "pem/coupling/solve_case.hpp"
+#include "pem/response_names.hpp"
 #include "simulate/march/excitation.hpp"
 #include "simulate/march/simulate.hpp"
 #include "spectra/irregularity_spectrum.hpp"

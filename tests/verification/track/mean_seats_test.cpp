@@ -47,9 +47,9 @@ Complex drawn(const track::TrackParameters& track, double frequency, int draws) 
 
 Complex equal(track::TrackParameters track, double frequency, const lanes::FactorCurve& factor, double ratio) {
     track.failed_fasteners.clear();
-    track.pads.correction = factor;
     track.pads.damping_n_s_per_m *= ratio;
-    const track::ExactRail rail = track::uniform_rail(track, {0.5 * track.spacing_m}, kSoundPad * ratio);
+    const track::ExactRail rail = track::uniform_rail(track, {0.5 * track.spacing_m}, kSoundPad * ratio,
+                                                      {.rail = {}, .pads = factor, .support = {}});
     track::ExactRailWorkspace workspace(rail);
     return track::rail_receptance(rail, lanes::broadcast(2.0 * std::numbers::pi * frequency), workspace).at(0, 0)[0];
 }

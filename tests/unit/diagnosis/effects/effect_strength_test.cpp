@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "pem/coupling/solution.hpp"
+#include "pem/coupling/solve_case.hpp"
+#include "pem/response_names.hpp"
 #include "tests/unit/diagnosis/effect_fixtures.hpp"
 
 namespace railpem::diagnosis {

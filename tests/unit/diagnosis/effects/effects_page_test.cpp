@@ -6,7 +6,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "diagnosis/effects/effect.hpp"
+#include "effects/describe_effects.hpp"
 
 namespace railpem::diagnosis {
 namespace {
@@ -15,7 +15,7 @@ TEST(EffectsPage, IsUpToDate) {
     std::ifstream file(RAILPEM_SOURCE_DIR "/docs/effects.md");
     std::stringstream committed;
     committed << file.rdbuf();
-    EXPECT_EQ(committed.str(), describe_effects())
+    EXPECT_EQ(committed.str(), effects::describe_effects())
         << "refresh it with: build/release/railpem describe effects > docs/effects.md";
 }
 

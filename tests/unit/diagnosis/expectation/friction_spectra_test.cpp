@@ -1,6 +1,7 @@
 // Expected spectra with friction that is not linearised.
 
 #include "diagnosis/expectation/friction_spectra.hpp"
+#include "pem/coupling/excite.hpp"
 
 #include <gtest/gtest.h>
 

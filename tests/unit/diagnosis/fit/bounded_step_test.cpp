@@ -49,5 +49,15 @@ TEST(BoundedStep, PullsOutwardsOnlyAtItsBounds) {
     }
 }
 
+// The first is held at its bound until the second has moved; letting it go then gains 0.32 nats by itself.
+TEST(BoundedStep, LetsGoOfWhatGainsMoreThanItsSettingsAsk) {
+    const Eigen::Matrix2d curvature{{1.0, 0.9}, {0.9, 1.0}};
+    const Eigen::Vector2d gradient(0.1, 1.0), low(-10.0, -10.0), high(0.0, 10.0);
+    EXPECT_LT(bounded_step(curvature, gradient, low, high)(0), -1.0);
+    FitSettings asks_more;
+    asks_more.worth_letting_go = 0.33;
+    EXPECT_EQ(bounded_step(curvature, gradient, low, high, asks_more)(0), 0.0);
+}
+
 }  // namespace
 }  // namespace railpem::diagnosis

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "diagnosis/search/name_physics.hpp"
-#include "pem/coupling/solution.hpp"
+#include "pem/response_names.hpp"
 #include "tests/unit/diagnosis/synthesised_fixture.hpp"
 
 namespace railpem::diagnosis {

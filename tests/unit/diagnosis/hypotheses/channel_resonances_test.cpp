@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "diagnosis/search/name_physics.hpp"
-#include "pem/coupling/solution.hpp"
+#include "pem/response_names.hpp"
 #include "tests/unit/diagnosis/synthesised_fixture.hpp"
 
 namespace railpem::diagnosis {

@@ -44,7 +44,7 @@ TEST(GroundResonance, IsNotAtAnEndNorOfNothing) {
 PlaceStudy study_of(std::vector<double> share) {
     FittedSet pads;
     pads.anonymous = {{.element = Element::pad, .channel = {}, .forces = true}};
-    pads.fit.trial.numbers.wheels_own = {.frequency_hz = kOctaves, .share = std::move(share)};
+    pads.fit.trial.numbers.modifiers.wheels_own = {.frequency_hz = kOctaves, .share = std::move(share)};
     PlaceStudy study;
     study.anonymous = {pads};
     study.at_retuned = {{.element = Element::pad, .nats = 500.0, .forces = true},
