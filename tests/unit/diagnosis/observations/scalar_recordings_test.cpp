@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "diagnosis/fit/fit.hpp"
 #include "diagnosis/likelihood/scalar_likelihood.hpp"
 #include "parameters/parameter_error.hpp"
 #include "tests/unit/diagnosis/scalar_recordings.hpp"
