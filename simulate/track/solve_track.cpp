@@ -8,8 +8,8 @@ namespace railpem::simulate {
 
 namespace {
 
-/// On its own part of the track: a pad on a sleeper scatters by itself and the ballast under it; where the pad stands for
-/// all, pad and ground scatter in series. The dashpot of a pad is independent of both.
+/// On its own part of the track: a pad on a sleeper scatters by itself and the ballast under it; where the pad stands
+/// for all, pad and ground scatter in series. The dashpot of a pad is independent of both.
 void scatter_seat(Seat& seat, const SeatLaw& law, const SeatScatter& scatter, std::int64_t number) {
     const double factor = scatter.seat_factor(number);
     seat.share *= factor;
