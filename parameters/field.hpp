@@ -33,6 +33,11 @@ Range positive_or_infinite();            ///< (0, ∞]
 Range between(double low, double high);  ///< [low, high]
 Range any_number();                      ///< every finite number
 
+/// What a number is: it decides how far one that is wrong may go, and how it goes with a common scale of all forces.
+/// loss: shares of a stiffness or its energy (loss factors, damping ratios, what a failed fastener has left); section:
+/// second moments of area; contact: the constant G of δ = G·P^{2/3}.
+enum class Nature { other, mass, inertia, section, stiffness, damping, loss, contact };
+
 /// Everything about a parameter but where it is stored.
 struct Description {
     std::string key;   ///< as in the file, within its table
@@ -41,6 +46,7 @@ struct Description {
     Range range;
     std::vector<std::string> choices;  ///< for Kind::choice
     bool required = false;
+    Nature nature = Nature::other;
     double tolerance = 0.0;  ///< relative standard deviation of a believed value; 0: not retuned by default
     std::string says;        ///< one sentence
     std::string source;      ///< where default, range or law come from; may be empty
@@ -57,6 +63,11 @@ struct Field {
     Field required() const {
         auto copy = *this;
         copy.description.required = true;
+        return copy;
+    }
+    Field of(Nature nature) const {
+        auto copy = *this;
+        copy.description.nature = nature;
         return copy;
     }
     Field tolerance(double relative) const {

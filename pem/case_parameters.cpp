@@ -58,6 +58,7 @@ Fields<ContactParameters> contact_fields() {
     return {
         number(&C::constant_m_per_n23, "constant_m_per_n23", "m/N^(2/3)", not_negative(),
                "contact constant G; 0: worn tread, 3.86e-8 R^-0.115")
+            .of(Nature::contact)
             .tolerance(0.15)
             .source("Zhai, worn profile tread"),
         number(&C::nonlinearity_factor, "nonlinearity_factor", "1", between(0.0, 5.0),
@@ -98,7 +99,8 @@ Fields<SensorParameters> sensor_fields() {
         number(&S::gain, "gain", "1", any_number(), "gain; negative: inverted"),
         number(&S::resonance_frequency_hz, "resonance_frequency_hz", "Hz", not_negative(),
                "resonance of the mounting; 0: rigid"),
-        number(&S::resonance_damping_ratio, "resonance_damping_ratio", "1", between(0.0, 1.0), "its damping ratio"),
+        number(&S::resonance_damping_ratio, "resonance_damping_ratio", "1", between(0.0, 1.0), "its damping ratio")
+            .of(Nature::loss),
         number(&S::noise_rms_m_per_s2, "noise_rms_m_per_s2", "m/s^2", not_negative(), "rms of additive noise"),
         number(&S::noise_slope_db_per_octave, "noise_slope_db_per_octave", "dB", between(-20.0, 20.0),
                "slope of the noise spectrum"),

@@ -21,11 +21,14 @@ void write_csv(std::ostream& out, const Recording& recording) {
     };
     fmt::format_to(std::back_inserter(row), "time_s");
     for (const Channel& channel : recording.channels) fmt::format_to(std::back_inserter(row), ",{}", channel.name);
+    const bool with_speed = !recording.speed_channel_m_per_s.empty();
+    if (with_speed) fmt::format_to(std::back_inserter(row), ",speed");
     row.push_back('\n');
     for (std::size_t i = 0; i < recording.samples(); ++i) {
         fmt::format_to(std::back_inserter(row), "{:.9g}", static_cast<double>(i) / recording.sampling_rate_hz);
         for (const Channel& channel : recording.channels)
             fmt::format_to(std::back_inserter(row), ",{:.7g}", channel.acceleration_m_per_s2[i]);
+        if (with_speed) fmt::format_to(std::back_inserter(row), ",{:.7g}", recording.speed_channel_m_per_s[i]);
         row.push_back('\n');
         if (row.size() > 1 << 16) flush();
     }
@@ -48,6 +51,8 @@ std::string description(const Recording& recording, const std::string& data) {
         else
             text += fmt::format("position_m = {:.6g}\n", channel.position_m);
     }
+    if (!recording.speed_channel_m_per_s.empty())
+        text += "\n[[channel]]\nname = \"speed\"\ncolumn = \"speed\"\nquantity = \"speed\"\nunit = \"m/s\"\n";
     return text;
 }
 

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "simulate/world_draws.hpp"
+
 namespace railpem::simulate {
 
 /// What was measured where, as the recording's description says it.
@@ -26,14 +28,16 @@ struct Making {
     double contact_lost_share = 0.0;  ///< share of wheel time without contact
     double solves_per_step = 0.0;
     double seconds_per_second = 0.0;  ///< computing time per second of record
+    WorldDraws draws;                 ///< speed, and what the imperfections of the world came out as
 };
 
 struct Recording {
     double sampling_rate_hz = 0.0;
-    double speed_m_per_s = 0.0;
+    double speed_m_per_s = 0.0;  ///< the mean over the record
     double speed_standard_error_m_per_s = 0.0;
     double payload_kg = 0.0;
     std::vector<Channel> channels;
+    std::vector<double> speed_channel_m_per_s{};  ///< the speed sample by sample; empty: not recorded
     Making making;
 
     std::size_t samples() const { return channels.empty() ? 0 : channels.front().acceleration_m_per_s2.size(); }
@@ -42,8 +46,8 @@ struct Recording {
 /// Names in the order of the columns.
 const std::vector<std::string>& channel_names();
 
-/// CSV: `time_s` and the channels, one row per sample, seven significant digits (two below the least noise of a
-/// sensor).
+/// CSV: `time_s`, the channels, and `speed` if it was recorded; one row per sample, seven significant digits (two below
+/// the least noise of a sensor).
 void write_csv(std::ostream& out, const Recording& recording);
 
 /// The description that goes with it, TOML; `data`: name of the file with the samples.

@@ -13,10 +13,15 @@ Fields<RailParameters> rail_fields() {
         number(&R::youngs_modulus_pa, "youngs_modulus_pa", "Pa", positive(), "Young's modulus").required(),
         number(&R::second_moment_of_area_m4, "second_moment_of_area_m4", "m^4", positive(),
                "vertical second moment of area")
+            .of(Nature::section)
             .required()
             .tolerance(0.02),
-        number(&R::mass_kg_per_m, "mass_kg_per_m", "kg/m", positive(), "mass per metre").required().tolerance(0.02),
-        number(&R::loss_factor, "loss_factor", "1", between(0.0, 1.0), "constant loss factor of E and G"),
+        number(&R::mass_kg_per_m, "mass_kg_per_m", "kg/m", positive(), "mass per metre")
+            .of(Nature::mass)
+            .required()
+            .tolerance(0.02),
+        number(&R::loss_factor, "loss_factor", "1", between(0.0, 1.0), "constant loss factor of E and G")
+            .of(Nature::loss),
         number(&R::shear_modulus_pa, "shear_modulus_pa", "Pa", positive(), "shear modulus, Timoshenko only"),
         number(&R::shear_coefficient, "shear_coefficient", "1", between(0.05, 1.0),
                "shear coefficient, Timoshenko only")
@@ -28,11 +33,14 @@ Fields<RailParameters> rail_fields() {
 Fields<RailDamper> rail_damper_fields() {
     using D = RailDamper;
     return {
-        number(&D::mass_kg_per_m, "mass_kg_per_m", "kg/m", positive(), "damper mass per metre of rail").required(),
+        number(&D::mass_kg_per_m, "mass_kg_per_m", "kg/m", positive(), "damper mass per metre of rail")
+            .of(Nature::mass)
+            .required(),
         number(&D::frequency_hz, "frequency_hz", "Hz", positive(), "frequency of the damper on a fixed rail")
             .required(),
         number(&D::loss_factor, "loss_factor", "1", between(0.0, 5.0),
                "loss factor of the damper's elastomer at that frequency")
+            .of(Nature::loss)
             .required(),
         number(&D::loss_exponent, "loss_exponent", "1", between(0.0, 1.0),
                "exponent p with which the loss factor grows, (f/frequency_hz)^p: 0 for rubber, 1 for a dashpot"),
@@ -44,6 +52,7 @@ Fields<PadParameters> pad_fields() {
     return {
         number(&P::static_stiffness_n_per_m, "static_stiffness_n_per_m", "N/m", positive(),
                "constant (secant) static stiffness")
+            .of(Nature::stiffness)
             .required()
             .tolerance(0.30)
             .source("Wei et al. 2016, eq. (1)"),
@@ -60,8 +69,9 @@ Fields<PadParameters> pad_fields() {
             .source("0.05 to 0.3: Fenander 1997, Maes et al. 2006"),
         boolean(&P::causal, "causal", "give the power law its causal loss, 1 + i tan(pi k/2)"),
         number(&P::damping_n_s_per_m, "damping_n_s_per_m", "N s/m", not_negative(), "dashpot beside the spring")
+            .of(Nature::damping)
             .tolerance(0.30),
-        number(&P::loss_factor, "loss_factor", "1", between(0.0, 5.0), "loss factor of the pad"),
+        number(&P::loss_factor, "loss_factor", "1", between(0.0, 5.0), "loss factor of the pad").of(Nature::loss),
         choice(&P::loss_law, "loss_law", {"constant", "causal"},
                "constant: K(1 + i eta) beside the dashpot; causal: K (f/f_l)^(2/pi atan eta) (1 + i eta) instead of "
                "the dashpot")
@@ -92,7 +102,8 @@ Fields<FailedFasteners> failed_fastener_fields() {
                 "one of the regularly failed seats; seat 0 is the pad at or behind wheel 1"),
         number(&F::fraction, "fraction", "1", between(0.0, 0.5), "share of seats that have failed at random"),
         number(&F::remaining_stiffness_fraction, "remaining_stiffness_fraction", "1", between(0.0, 1.0),
-               "what is left of stiffness and damping at a failed seat"),
+               "what is left of stiffness and damping at a failed seat")
+            .of(Nature::loss),
         integer(&F::seed, "seed", between(0, 2147483647), "draws the random seats"),
     };
 }
@@ -102,13 +113,17 @@ Fields<SupportParameters> support_fields() {
     return {
         choice(&S::model, "model", {"rigid", "two-layer"}, "what carries the pads"),
         number(&S::mass_kg, "mass_kg", "kg", not_negative(), "mass under one pad (half a sleeper, a piece of slab)")
+            .of(Nature::mass)
             .tolerance(0.05),
         number(&S::stiffness_n_per_m, "stiffness_n_per_m", "N/m", not_negative(),
                "spring under that mass (ballast, mat)")
+            .of(Nature::stiffness)
             .tolerance(0.30),
         number(&S::damping_n_s_per_m, "damping_n_s_per_m", "N s/m", not_negative(), "dashpot under that mass")
+            .of(Nature::damping)
             .tolerance(0.30),
         number(&S::loss_factor, "loss_factor", "1", between(0.0, 5.0), "constant loss factor of that spring")
+            .of(Nature::loss)
             .tolerance(0.30),
     };
 }
@@ -118,9 +133,10 @@ Fields<SleeperMode> sleeper_mode_fields() {
     return {
         number(&S::frequency_hz, "frequency_hz", "Hz", positive(), "free–free bending frequency of the sleeper")
             .required(),
-        number(&S::loss_factor, "loss_factor", "1", between(0.0, 1.0), "loss factor of the mode"),
+        number(&S::loss_factor, "loss_factor", "1", between(0.0, 1.0), "loss factor of the mode").of(Nature::loss),
         number(&S::modal_mass_kg, "modal_mass_kg", "kg", positive(),
                "modal mass per seat for unit displacement at the seat")
+            .of(Nature::mass)
             .required(),
     };
 }
@@ -134,9 +150,11 @@ Fields<StaticParameters> static_fields() {
         number(&S::wheel_load_n, "wheel_load_n", "N", not_negative(),
                "static load of one wheel; 0: from the masses of the vehicle"),
         number(&S::rail_weight_kg_per_m, "rail_weight_kg_per_m", "kg/m", not_negative(),
-               "rail mass in the static analysis; 0: the rail's own"),
+               "rail mass in the static analysis; 0: the rail's own")
+            .of(Nature::mass),
         number(&S::second_moment_of_area_m4, "second_moment_of_area_m4", "m^4", not_negative(),
                "second moment of area in the static analysis only; 0: the rail's own")
+            .of(Nature::section)
             .source("5.24e-6 reproduces Wei et al. 2016, Figures 4 and 5"),
     };
 }

@@ -53,18 +53,20 @@ Json ranges_json() {
 }
 
 Json draw_json(const DrawSettings& draw) {
-    return {{"seed", draw.seed},
-            {"mix", draw.mix.shares},
-            {"seconds", draw.seconds},
-            {"most_records", draw.most_records},
-            {"speeds_m_per_s", {draw.least_speed_m_per_s, draw.most_speed_m_per_s}},
-            {"speed_ratio", draw.speed_ratio},
-            {"speed_error", draw.speed_error},
-            {"payload_share", draw.payload_share},
-            {"payload_kg", {draw.least_payload_kg, draw.most_payload_kg}},
-            {"level_db", draw.level_db},
-            {"noise_rms_m_per_s2", draw.noise_rms_m_per_s2},
-            {"ranges", fingerprint_text(ranges_json().dump())}};
+    Json json{{"seed", draw.seed},
+              {"mix", draw.mix.shares},
+              {"seconds", draw.seconds},
+              {"most_records", draw.most_records},
+              {"speeds_m_per_s", {draw.least_speed_m_per_s, draw.most_speed_m_per_s}},
+              {"speed_ratio", draw.speed_ratio},
+              {"speed_error", draw.speed_error},
+              {"payload_share", draw.payload_share},
+              {"payload_kg", {draw.least_payload_kg, draw.most_payload_kg}},
+              {"level_db", draw.level_db},
+              {"noise_rms_m_per_s2", draw.noise_rms_m_per_s2},
+              {"ranges", fingerprint_text(ranges_json().dump())}};
+    if (!draw.world.is_ideal()) json["world"] = world_json(draw.world);
+    return json;
 }
 
 Json diagnosis_json_of(const TrialOptions& options) {

@@ -128,6 +128,20 @@ Json programs_json(const std::vector<ScoredTrial>& trials) {
     return programs;
 }
 
+/// Everything counted once more for the trials of each world by themselves.
+Json worlds_json(const std::vector<ScoredTrial>& trials) {
+    std::map<std::string, std::vector<ScoredTrial>> worlds;
+    for (const ScoredTrial& trial : trials) worlds[trial.truth->world.name()].push_back(trial);
+    Json json = Json::object();
+    for (const auto& [name, own] : worlds) {
+        const ProofScore score = score_of(own);
+        Json measures = Json::object();
+        for (const Measure& measure : score.measures) measures[measure.name] = proportion_json(measure.proportion);
+        json[name] = {{"finished", score.trials}, {"failed", score.failed}, {"measures", measures}};
+    }
+    return json;
+}
+
 std::string truths_fingerprint(const std::vector<ScoredTrial>& trials) {
     std::string all;
     for (const ScoredTrial& trial : trials) all += trial_truth_text(*trial.truth);
@@ -173,7 +187,7 @@ std::string row_of(const ScoredTrial& trial) {
     const Judgement& j = trial.judgement;
     std::vector<std::string> speeds;
     for (const TrialRecord& record : truth.records) speeds.push_back(fmt::format("{:.2f}", record.speed_m_per_s));
-    return row(result.trial, kind_name(truth.kind), joined_with(hidden_labels(truth), " + "),
+    return row(result.trial, truth.world.name(), kind_name(truth.kind), joined_with(hidden_labels(truth), " + "),
                joined_with(true_places(truth), " + "), true_strength(truth), joined_with(speeds, " "),
                result.failure.empty() ? result.verdict : "failed", joined_with(named_labels(result), " + "),
                joined_with(rival_labels(result), " | "),
@@ -190,7 +204,8 @@ std::string row_of(const ScoredTrial& trial) {
 
 std::string trials_csv(const std::vector<ScoredTrial>& trials) {
     std::string text =
-        "trial,kind,hidden,places,strength,speeds_m_per_s,verdict,named,rivals,first_place,first_place_probability,"
+        "trial,world,kind,hidden,places,strength,speeds_m_per_s,verdict,named,rivals,first_place,first_place_"
+        "probability,"
         "before_rms_db,retuned_rms_db,after_rms_db,"
         "held_out_before_nats_per_s,held_out_retuned_nats_per_s,held_out_after_nats_per_s,hidden_by_retuning,missing,"
         "concealed,right_place,right_effect,"
@@ -207,6 +222,7 @@ std::string score_json(const ProofScore& score, const std::vector<ScoredTrial>& 
     const Json json{{"trials", asked},
                     {"finished", score.trials},
                     {"failed", score.failed},
+                    {"worlds", worlds_json(trials)},
                     {"kinds", score.kinds},
                     {"measures", measures},
                     {"mean_set_size", {{"value", or_null(score.mean_set_size)}, {"goal", {{"at_most", 1.3}}}}},

@@ -112,9 +112,10 @@ TrialTruth draw_trial(const CaseFile& file, const diagnosis::BelievedCase& belie
     DrawStream stream(seed);
     TrialTruth nuisance{.trial = trial,
                         .kind = kind_of(settings, trial),
-                        .noise_rms_m_per_s2 = settings.noise_rms_m_per_s2,
+                        .noise_rms_m_per_s2 = settings.world.is_ideal() ? settings.noise_rms_m_per_s2 : 0.0,
                         .seconds = settings.seconds,
-                        .parameters = file.parameters};
+                        .parameters = file.parameters,
+                        .world = settings.world};
     nuisance.parameters.contact.constant_m_per_n23 = believed.numbers.contact.constant_m_per_n23;
     nuisance.records = draw_records(settings, stream);
     draw_numbers(believed, settings, stream, nuisance);

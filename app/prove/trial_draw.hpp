@@ -26,8 +26,9 @@ struct DrawSettings {
     double speed_error = 0.005;   ///< of a stated speed: the tolerance that a diagnosis gives it
     double payload_share = 0.25;  ///< of trials with several records in which one of them is loaded
     double least_payload_kg = 4000.0, most_payload_kg = 12000.0;
-    double level_db = 1.0;  ///< error of the believed irregularity, either way
-    double noise_rms_m_per_s2 = 0.02;
+    double level_db = 1.0;             ///< error of the believed irregularity, either way
+    double noise_rms_m_per_s2 = 0.02;  ///< white, of the ideal world; another one has noise of its own
+    World world;
 };
 
 /// The trial of that number. Kinds follow a low-discrepancy sequence, and effects of a kind take turns in an order

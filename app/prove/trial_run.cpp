@@ -30,8 +30,12 @@ simulate::Recording simulate_record(const TrialTruth& truth, const TrialRecord& 
                               .seed = record.seed,
                               .noise_rms_m_per_s2 = truth.noise_rms_m_per_s2};
     options.only_here = truth.only_here;
+    options.world = truth.world.parameters;
     simulate::Recording recording = simulate::simulate(parameters, options);
-    recording.speed_m_per_s = record.stated_speed_m_per_s;
+    // The stated speed is off by the same share where the speed varies and its mean is not what was asked for.
+    recording.speed_m_per_s = truth.world.is_ideal()
+                                  ? record.stated_speed_m_per_s
+                                  : recording.speed_m_per_s * record.stated_speed_m_per_s / record.speed_m_per_s;
     return recording;
 }
 

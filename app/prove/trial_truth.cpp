@@ -22,6 +22,12 @@ std::string place_of(const simulate::Hidden& hidden) {
 
 }  // namespace
 
+nlohmann::ordered_json world_json(const World& world) {
+    nlohmann::ordered_json parameters = nlohmann::ordered_json::object();
+    for (const simulate::WorldKey& key : simulate::world_keys()) parameters[key.name] = world.parameters.*key.member;
+    return {{"grade", world.name()}, {"parameters", parameters}};
+}
+
 std::string kind_name(TrialKind kind) {
     switch (kind) {
         case TrialKind::nothing:
@@ -85,16 +91,17 @@ std::string trial_truth_text(const TrialTruth& truth) {
                            {"stated_speed_m_per_s", record.stated_speed_m_per_s},
                            {"payload_kg", record.payload_kg},
                            {"seed", record.seed}});
-    const ordered_json json{{"trial", truth.trial},
-                            {"kind", kind_name(truth.kind)},
-                            {"effects", effects},
-                            {"places", true_places(truth)},
-                            {"irregularity_level_db", truth.level_db},
-                            {"noise_rms_m_per_s2", truth.noise_rms_m_per_s2},
-                            {"seconds", truth.seconds},
-                            {"records", records},
-                            {"numbers", numbers},
-                            {"true_case", write_case(truth.parameters)}};
+    ordered_json json{{"trial", truth.trial},
+                      {"kind", kind_name(truth.kind)},
+                      {"effects", effects},
+                      {"places", true_places(truth)},
+                      {"irregularity_level_db", truth.level_db},
+                      {"noise_rms_m_per_s2", truth.noise_rms_m_per_s2},
+                      {"seconds", truth.seconds},
+                      {"records", records},
+                      {"numbers", numbers},
+                      {"true_case", write_case(truth.parameters)}};
+    if (!truth.world.is_ideal()) json["world"] = world_json(truth.world);
     return json.dump(2) + "\n";
 }
 

@@ -2,9 +2,11 @@
 // What a trial of the proof hides, as data.
 
 #include <cstdint>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
+#include "app/schema/world_option.hpp"
 #include "diagnosis/observations/believed_case.hpp"
 #include "pem/case_parameters.hpp"
 #include "simulate/effects/hidden_effects.hpp"
@@ -43,6 +45,7 @@ struct TrialTruth {
     std::vector<TrialRecord> records;
     pem::CaseParameters parameters;  ///< of the true world, what is hidden included
     simulate::OnlyHereParameters only_here;
+    World world;  ///< in which its records are made
 };
 
 /// Elements of the structure in which something is hidden, as the diagnosis writes them; each once.
@@ -56,6 +59,9 @@ double true_strength(const TrialTruth& truth);
 /// NaN where the truth has no such number. `key`: of the number, where that is what is wrong.
 double true_value(const TrialTruth& truth, const std::string& effect, const std::string& key,
                   const std::string& parameter);
+
+/// Grade and all numbers of a world.
+nlohmann::ordered_json world_json(const World& world);
 
 /// The truth as JSON. Equal trials give equal bits.
 std::string trial_truth_text(const TrialTruth& truth);

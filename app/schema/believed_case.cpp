@@ -23,7 +23,8 @@ diagnosis::BelievedCase believed_case(const CaseFile& file) {
                                       .tolerance = number.tolerance,
                                       .element = diagnosis::element_of_key(number.key),
                                       .range = number.description.range,
-                                      .unit = number.description.unit});
+                                      .unit = number.description.unit,
+                                      .nature = number.description.nature});
     }
     return believed;
 }

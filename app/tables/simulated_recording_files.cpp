@@ -48,6 +48,8 @@ void write_mat_file(const fs::path& file, const simulate::Recording& recording) 
     write_mat_variable(mat.get(), file, "sampling_rate_hz", {recording.sampling_rate_hz});
     for (const simulate::Channel& channel : recording.channels)
         write_mat_variable(mat.get(), file, channel.name, channel.acceleration_m_per_s2);
+    if (!recording.speed_channel_m_per_s.empty())
+        write_mat_variable(mat.get(), file, "speed", recording.speed_channel_m_per_s);
 }
 
 void write_dataset(hid_t root, const fs::path& file, const std::string& name, const std::vector<double>& values) {
@@ -78,6 +80,8 @@ void write_hdf5_file(const fs::path& file, const simulate::Recording& recording)
     }
     for (const simulate::Channel& channel : recording.channels)
         write_dataset(root.id, file, channel.name, channel.acceleration_m_per_s2);
+    if (!recording.speed_channel_m_per_s.empty())
+        write_dataset(root.id, file, "speed", recording.speed_channel_m_per_s);
     if (H5Fflush(root.id, H5F_SCOPE_LOCAL) < 0) fail(file);
 }
 

@@ -18,6 +18,7 @@
 #include "app/prove/score_proof.hpp"
 #include "app/prove/score_tables.hpp"
 #include "app/schema/believed_case.hpp"
+#include "app/schema/world_option.hpp"
 #include "app/verbs/verbs.hpp"
 #include "ranks/join_crew.hpp"
 
@@ -30,7 +31,7 @@ using Clock = std::chrono::steady_clock;
 constexpr std::size_t kQuickTrials = 8;
 
 struct ProveRequest {
-    std::string case_path, folder, shard;
+    std::string case_path, folder, shard, world = "good";
     std::vector<std::string> set;
     std::size_t trials = 0;
     std::uint64_t seed = 1;
@@ -43,6 +44,7 @@ ProofSettings settings_of(const ProveRequest& request) {
     ProofSettings settings{.trials = request.trials, .keep = request.keep};
     settings.draw.seed = request.seed;
     settings.draw.seconds = request.seconds;
+    settings.draw.world = read_world_option(request.world);
     if (request.quick) settings.draw.most_records = 1;
     if (settings.trials == 0) settings.trials = kQuickTrials;
     settings.options.diagnosis.threads = request.threads;
@@ -176,6 +178,9 @@ void add_prove(CLI::App& program, Run& run) {
     verb->add_option("--seconds", request->seconds, "length of every record in s; 60 without it")
         ->check(CLI::Range(20.0, 3600.0))
         ->type_name("T");
+    verb->add_option("--world", request->world,
+                     "ideal, good or worn: how imperfect the recordings are, as for simulate; good without it")
+        ->type_name("GRADE[:key=value,…]");
     verb->add_option("--shard", request->shard,
                      "run every n-th trial only, beginning with the i-th; a run without it afterwards adds up")
         ->type_name("I/N");

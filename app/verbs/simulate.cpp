@@ -8,6 +8,7 @@
 #include "app/output_folder.hpp"
 #include "app/progress_bar.hpp"
 #include "app/schema/hide_option.hpp"
+#include "app/schema/world_option.hpp"
 #include "app/tables/simulated_recording_files.hpp"
 #include "app/verbs/simulation_request.hpp"
 #include "app/verbs/verbs.hpp"
@@ -58,7 +59,7 @@ RecordingFormat format_of(const std::string& name) {
 }
 
 int list_effects() {
-    std::fputs(effects_list().c_str(), stdout);
+    std::fputs((effects_list() + world_list()).c_str(), stdout);
     return 0;
 }
 
@@ -100,6 +101,16 @@ void add_profile_options(CLI::App& verb, SimulateRequest& request) {
         ->type_name("M");
 }
 
+void add_world_options(CLI::App& verb, SimulateRequest& request) {
+    verb.add_option("--world", request.simulation.world,
+                    "ideal, good or worn: speed, seats, line and sensors as imperfect as that; ideal without it")
+        ->type_name("GRADE[:key=value,…]");
+    verb.add_option("--speed-profile", request.simulation.speed_profile,
+                    "speed against time instead of --speed: CSV with time_s, speed_m_per_s; 0 is a stop")
+        ->type_name("FILE");
+    verb.add_flag("--speed-channel", request.simulation.speed_channel, "record the speed, too");
+}
+
 }  // namespace
 
 void add_simulate(CLI::App& program, Run& run) {
@@ -125,7 +136,9 @@ void add_simulate(CLI::App& program, Run& run) {
     verb->add_option("--truth", request->truth,
                      "file for what is hidden and how the record was made (JSON); nothing says it elsewhere")
         ->type_name("FILE");
-    verb->add_flag("--list", request->list, "print all effects with their parameters and ranges, and do nothing else");
+    verb->add_flag(
+        "--list", request->list,
+        "print all effects with their parameters and ranges and the numbers of a world, and do nothing else");
     verb->add_flag("--force", request->simulation.force,
                    "let the parameters of effects lie outside their ranges; the truth says so");
     verb->add_option("--rate", request->simulation.rate_hz, "sampling rate in Hz; 1000 without it")->type_name("HZ");
@@ -140,6 +153,7 @@ void add_simulate(CLI::App& program, Run& run) {
     verb->add_option("--speed-fluctuation", request->simulation.speed_fluctuation,
                      "relative standard deviation of a slow wander of the speed")
         ->type_name("R");
+    add_world_options(*verb, *request);
     verb->add_option("--noise", request->simulation.noise, "white noise of every channel, rms in m/s^2")
         ->type_name("RMS");
     add_profile_options(*verb, *request);

@@ -8,6 +8,7 @@
 #include "app/schema/hide_option.hpp"
 #include "app/schema/read_table.hpp"
 #include "app/schema/recording_schema.hpp"
+#include "app/schema/world_option.hpp"
 #include "recordings/files/read_csv.hpp"
 #include "simulate/march/simulate.hpp"
 
@@ -18,6 +19,7 @@ namespace {
 constexpr double kMostSeconds = 36000.0;   ///< ten hours: 2.6 GB of samples at 1 kHz
 constexpr double kMostSamples = 5e7;       ///< per channel: 3.6 GB in nine
 constexpr double kMostRate_hz = 100000.0;  ///< far beyond what a model of vehicle and track can say
+constexpr double kHighestSpeed_m_per_s = 200.0;
 
 simulate::MeasuredProfile read_profile(const std::string& path) {
     try {
@@ -35,7 +37,31 @@ simulate::MeasuredProfile read_profile(const std::string& path) {
     }
 }
 
-simulate::Options simulation_options(const SimulationRequest& request, const CaseWithHidden& with) {
+/// Speeds against time, m/s; a train may stop, but it has to have moved.
+simulate::SpeedTable read_speed_profile(const std::string& path) {
+    const std::string option = "--speed-profile " + path;
+    try {
+        recordings::DataTable table = recordings::read_csv(path, {"time_s", "speed_m_per_s"});
+        const std::vector<double>&time = table.columns[0], &speed = table.columns[1];
+        bool moves = false;
+        for (std::size_t i = 0; i < time.size(); ++i) {
+            if (!std::isfinite(time[i]) || (i > 0 && time[i] <= time[i - 1]))
+                refuse_option(option, fmt::format("time {} is missing or out of order", i + 1), "increasing times");
+            if (!(speed[i] >= 0.0 && speed[i] <= kHighestSpeed_m_per_s))
+                refuse_option(option, fmt::format("speed {} cannot be {:g} m/s", i + 1, speed[i]),
+                              fmt::format("between 0 and {:g} m/s", kHighestSpeed_m_per_s));
+            moves = moves || speed[i] > 0.0;
+        }
+        if (time.size() < 2 || !moves)
+            refuse_option(option, time.size() < 2 ? "holds less than two rows" : "the train never moves",
+                          "two rows or more, one speed of which is greater than 0");
+        return {std::move(table.columns[0]), std::move(table.columns[1])};
+    } catch (const recordings::ReadError& error) {
+        throw refused(error);
+    }
+}
+
+simulate::Options simulation_options(const SimulationRequest& request, const World& world, const CaseWithHidden& with) {
     simulate::Options options;
     options.mode = request.standing ? simulate::Mode::standing : simulate::Mode::moving;
     options.seconds = request.seconds;
@@ -46,6 +72,9 @@ simulate::Options simulation_options(const SimulationRequest& request, const Cas
     options.profile_length_m = request.profile_length_m;
     if (!request.profile.empty()) options.measured_profile = read_profile(request.profile);
     options.speed_fluctuation = request.speed_fluctuation;
+    if (!request.speed_profile.empty()) options.speed_table = read_speed_profile(request.speed_profile);
+    options.speed_channel = request.speed_channel;
+    options.world = world.parameters;
     options.noise_rms_m_per_s2 = request.noise;
     options.only_here = with.only_here;
     return options;
@@ -73,8 +102,10 @@ void check_simulation(const SimulationRequest& request) {
         refuse_option("--seconds",
                       fmt::format("{:g} s at {:g} Hz are too many samples", request.seconds, request.rate_hz),
                       fmt::format("at most {:g} s at this rate", std::floor(kMostSamples / request.rate_hz)));
-    if (request.speed && !(*request.speed > 0.0 && *request.speed <= 200.0))
+    if (request.speed && !(*request.speed > 0.0 && *request.speed <= kHighestSpeed_m_per_s))
         refuse_option("--speed", fmt::format("cannot be {:g} m/s", *request.speed), "greater than 0, at most 200 m/s");
+    if (!request.speed_profile.empty() && request.speed)
+        refuse_option("--speed-profile", "the speed is given by --speed already", "--speed or --speed-profile");
     if (!within(request.noise, 0.0, 1000.0))
         refuse_option("--noise", fmt::format("cannot be {:g} m/s^2", request.noise), "between 0 and 1000 m/s^2");
     if (!within(request.speed_fluctuation, 0.0, 0.1))
@@ -91,11 +122,16 @@ void check_simulation(const SimulationRequest& request) {
 Truth planned_simulation(const CaseFile& file, const SimulationRequest& request) {
     const std::vector<simulate::Hidden> hidden = read_hide_options(request.hide, request.force);
     const CaseWithHidden with = hide_in_case(file.parameters, hidden);
+    const World world = read_world_option(request.world);
+    if (!request.speed_profile.empty() && world.parameters.speed_end_m_per_s > 0.0)
+        refuse_option("--world", "'speed_end_m_per_s' is a ramp from a constant speed",
+                      "speed_end_m_per_s or --speed-profile");
     return {.case_path = request.path,
             .set_options = request.set,
             .hidden = hidden,
+            .world = world.name(),
             .parameters = with.parameters,
-            .options = simulation_options(request, with)};
+            .options = simulation_options(request, world, with)};
 }
 
 simulate::Recording run_simulation(const CaseFile& file, const Truth& truth,

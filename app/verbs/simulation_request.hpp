@@ -18,12 +18,14 @@ struct SimulationRequest {
     std::vector<std::string> set;   ///< as given to --set, for the truth; the case has them already
     std::vector<std::string> hide;  ///< as given to --hide
     std::string profile;            ///< file of a measured profile; empty: drawn
+    std::string world;              ///< as given to --world; empty: ideal
+    std::string speed_profile;      ///< file of speeds against time; empty: constant
     double seconds = 0.0;
     std::int64_t seed = 0;
     std::optional<double> speed;
     std::optional<std::int64_t> profile_seed;
     double rate_hz = 1000.0, noise = 0.0, speed_fluctuation = 0.0, profile_length_m = 0.0;
-    bool force = false, standing = false;
+    bool force = false, standing = false, speed_channel = false;
 };
 
 /// Throws InputError: `option` is as given, `what` is wrong with it, `allowed` is what would not be.

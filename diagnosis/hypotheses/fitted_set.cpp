@@ -102,9 +102,11 @@ void widen(const EffectParameter& parameter, Unknown& unknown) {
 }  // namespace
 
 Unknown released(Unknown number) {
-    const auto is = [&](const char* what) { return number.name.find(what) != std::string::npos; };
-    const double reach = std::max(
-        is("stiffness") || is("damping") || is("loss_factor") ? std::log(10.0) : std::log(4.0), 2.0 * number.deviation);
+    using parameters::Nature;
+    const auto is = [&](Nature nature) { return number.nature == nature; };
+    const double reach =
+        std::max(is(Nature::stiffness) || is(Nature::damping) || is(Nature::loss) ? std::log(10.0) : std::log(4.0),
+                 2.0 * number.deviation);
     number.deviation = std::max(number.deviation, kReleasedDeviation);
     number.low = std::max(number.low, number.mean - reach);
     number.high = std::min(number.high, number.mean + reach);

@@ -32,20 +32,28 @@ std::vector<Distance> distances(const FittedSet& set) {
         const bool released = std::find(set.released.begin(), set.released.end(), own.name) != set.released.end();
         if (own.kind == UnknownKind::number && !released)
             distances.push_back(
-                {(set.fit.values[u] - own.mean) / own.deviation, scale * power_of_scale(own.name) / own.deviation});
+                {(set.fit.values[u] - own.mean) / own.deviation, scale * power_of_scale(own.nature) / own.deviation});
     }
     return distances;
 }
 
 }  // namespace
 
-double power_of_scale(const std::string& key) {
-    if (key == "contact.constant_m_per_n23") return -2.0 / 3.0;
-    const std::string name = key.substr(key.rfind('.') + 1);
-    constexpr std::array<const char*, 6> kForces{"_kg",      "_kg_m2",     "_kg_per_m",
-                                                 "_n_per_m", "_n_s_per_m", "second_moment_of_area_m4"};
-    return std::any_of(kForces.begin(), kForces.end(), [&](const char* end) { return name.ends_with(end); }) ? 1.0
-                                                                                                             : 0.0;
+double power_of_scale(parameters::Nature nature) {
+    switch (nature) {
+        case parameters::Nature::mass:
+        case parameters::Nature::inertia:
+        case parameters::Nature::section:
+        case parameters::Nature::stiffness:
+        case parameters::Nature::damping:
+            return 1.0;
+        case parameters::Nature::contact:
+            return -2.0 / 3.0;
+        case parameters::Nature::loss:
+        case parameters::Nature::other:
+            break;
+    }
+    return 0.0;
 }
 
 // Least squares over the others, each by its tolerance: a number that is off is not to move the scale that it is held

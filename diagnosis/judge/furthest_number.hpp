@@ -1,17 +1,15 @@
 #pragma once
 // How far the numbers of a case ended from what was believed of them.
 
-#include <string>
-
 #include "diagnosis/hypotheses/fitted_set.hpp"
+#include "parameters/field.hpp"
 
 namespace railpem::diagnosis {
 
 /// The power with which a number of the case goes with one factor on vehicle, track and contact together, which moves
 /// no acceleration: 1 for masses, inertias, stiffness, damping and the rail's bending (its second moment of area), −2/3
-/// for the contact constant, whose δ = G·P^{2/3} (Hertz 1882) goes with the load, too; 0 otherwise. `key`: as in the
-/// case file.
-double power_of_scale(const std::string& key);
+/// for the contact constant, whose δ = G·P^{2/3} (Hertz 1882) goes with the load, too; 0 otherwise.
+double power_of_scale(parameters::Nature nature);
 
 /// By how many of its tolerances that number of the case ends away from its belief that does so most, the common scale
 /// taken off that all the others ask for: what the recordings do not know may end anywhere. The scale is taken off

@@ -235,6 +235,7 @@ std::vector<Unknown> nuisance_unknowns(const BelievedCase& believed, const std::
                             .low = std::log(kBeliefs.least_number),
                             .high = std::log(kBeliefs.most_number),
                             .step = kBeliefs.number_step,
+                            .nature = number.nature,
                             .set = [&access = believed.access, number](Trial& trial, double x) {
                                 access.set(trial.numbers, number.key, number.value * std::exp(x));
                             }});

@@ -66,6 +66,7 @@ struct Unknown {
     int observation = -1;               ///< the only one that it moves; −1: all
     int index = 0;                      ///< noise: channel; floor: group·nodes + node; effect: place in Trial::effects
     Element element = Element::body;    ///< correction: where
+    parameters::Nature nature = parameters::Nature::other;  ///< number: of what kind
     std::function<void(Trial&, double)> set;
 };
 

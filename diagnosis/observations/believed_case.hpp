@@ -20,6 +20,7 @@ struct BelievedNumber {
     Element element = Element::body;
     parameters::Range range;
     std::string unit;
+    parameters::Nature nature = parameters::Nature::other;
 };
 
 /// The believed case: its numbers, the effects that it states itself, and access to its numbers by key.

@@ -52,7 +52,7 @@ Balance of_seat(const TrackWindow& track, const Seat& seat, double rail_velocity
     for (std::size_t r = 0; r < track.law.oscillators.size(); ++r) {
         const Oscillator& o = track.law.oscillators[r];
         const Motion& y = seat.oscillators[r];
-        const double scale = r + 1 == track.law.oscillators.size() ? seat.oscillator_scale : 1.0;
+        const double scale = seat.oscillator_scale[r];
         balance.energy += 0.5 * o.mass_kg * y.velocity_m_per_s * y.velocity_m_per_s +
                           0.5 * scale * o.stiffness_n_per_m * y.displacement_m * y.displacement_m;
         balance.dissipation += o.damping_n_s_per_m * y.velocity_m_per_s * y.velocity_m_per_s;
@@ -62,7 +62,7 @@ Balance of_seat(const TrackWindow& track, const Seat& seat, double rail_velocity
     const double relative = foot_velocity - rail_velocity;
     const RelaxationChain& chain = track.law.chain;
     balance.energy += seat.share * 0.5 * chain.equilibrium * elastic * seat.compression_m;
-    balance.dissipation += seat.share * track.law.dashpot_n_s_per_m * relative * relative;
+    balance.dissipation += seat.share * seat.dashpot_scale * track.law.dashpot_n_s_per_m * relative * relative;
     for (std::size_t b = 0; b < chain.strength.size(); ++b) {
         const double spring = elastic - seat.branch_force_n[b];  // of a branch of unit strength
         const double power = seat.share * chain.strength[b] * spring * spring / seat.reference_stiffness_n_per_m;

@@ -4,16 +4,24 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <vector>
 
 #include "simulate/march/profile.hpp"
 #include "simulate/only_here_parameters.hpp"
 #include "simulate/track/track_window.hpp"
+#include "simulate/world_parameters.hpp"
 
 namespace railpem::simulate {
 
 /// moving: the vehicle runs along the track. standing: the wheels stay where they are and the irregularity is pulled
 /// through between wheel and rail, as in Wei et al. 2016.
 enum class Mode { moving, standing };
+
+/// A speed against time: increasing times, speeds of at least 0 (a stop); linear between them, constant beyond. Time 0
+/// is the first sample.
+struct SpeedTable {
+    std::vector<double> time_s, speed_m_per_s;
+};
 
 /// What an observer sees at the end of a step; for tests and for looking inside.
 struct Glimpse {
@@ -45,6 +53,10 @@ struct Options {
     double speed_fluctuation =
         0.0;  ///< relative standard deviation of a slow wander of the speed (periods of 15 to 80 s)
 
+    std::optional<SpeedTable> speed_table;  ///< instead of a constant speed
+    bool speed_channel = false;             ///< record the speed beside the accelerations
+    WorldParameters world;                  ///< the ideal one unless said otherwise
+
     /// white noise of every channel from 0.5 Hz to half the sampling rate, beside that of the case's sensors
     double noise_rms_m_per_s2 = 0.0;
 
@@ -64,5 +76,8 @@ struct Options {
     std::function<void(double done_s, double total_s)> progress;  ///< called about a hundred times
     std::function<void(const Glimpse&)> observer;                 ///< called at every step of the record; costs time
 };
+
+/// Seed of all that belongs to the line and not to the record: profile, dips, seats.
+std::uint64_t line_seed(const Options& options);
 
 }  // namespace railpem::simulate

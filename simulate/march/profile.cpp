@@ -34,16 +34,18 @@ double patch_factor(double half_length, double cycles_per_m) {
     return argument < 1e-9 ? 1.0 : std::sin(argument) / argument;
 }
 
+/// `share`: of the spectrum's power at n cycles/m.
+template <typename Share>
 void add_gaussian(Spectrum& amplitude, const spectra::IrregularityParameters& irregularity,
-                  const ProfileRequest& request, double length) {
+                  const ProfileRequest& request, double length, std::uint64_t seed, const Share& share) {
     const double highest = 1.0 / request.shortest_wavelength_m;
     for (std::size_t k = 1; k + 1 < amplitude.size(); ++k) {
         const double n = static_cast<double>(k) / length;
         if (n > highest) break;
-        const auto [a, b] = normal_pair_at(request.seed, k);
+        const auto [a, b] = normal_pair_at(seed, k);
         // E|c|² = S/(2·length) for h = Σ 2·Re(c·e^{i2πnx}), so that the one-sided spectrum is S.
-        amplitude[k] +=
-            std::sqrt(spectra::irregularity_psd_m3(irregularity, n) / (4.0 * length)) * std::complex<double>(a, b);
+        amplitude[k] += std::sqrt(share(n) * spectra::irregularity_psd_m3(irregularity, n) / (4.0 * length)) *
+                        std::complex<double>(a, b);
     }
 }
 
@@ -92,6 +94,10 @@ Profile synthesise(Spectrum& amplitude, double length, std::size_t points, const
 
 }  // namespace
 
+double OwnShare::at(double cycles_per_m) const {
+    return at_1_m > 0.0 ? std::min(1.0, at_1_m * std::pow(cycles_per_m, exponent)) : 0.0;
+}
+
 double Profile::at(double position_m) const {
     const auto count = static_cast<std::ptrdiff_t>(height_m.size());
     const double place = (position_m - first_m) / step_m;
@@ -117,7 +123,8 @@ Profile draw_profile(const spectra::IrregularityParameters& irregularity, const 
     const double length = request.length_m > 0.0 ? request.length_m : stretch;
     const std::size_t points = power_of_two_above(points_per_wave * length / request.shortest_wavelength_m);
     Spectrum amplitude(points / 2 + 1);
-    add_gaussian(amplitude, irregularity, request, length);
+    add_gaussian(amplitude, irregularity, request, length, request.seed,
+                 [&](double n) { return 1.0 - request.own.at(n); });
     for (const spectra::RailJoints& joints : irregularity.joints)
         add_joints(amplitude, joints, request, length, points);
     return synthesise(amplitude, length, points, request);
@@ -152,6 +159,18 @@ Profile resample_profile(const MeasuredProfile& measured, const ProfileRequest& 
         profile.height_m[i] = sum / samples;
     }
     return profile;
+}
+
+void add_own_profile(Profile& profile, const spectra::IrregularityParameters& irregularity,
+                     const ProfileRequest& request, std::size_t wheel) {
+    const std::size_t points = profile.height_m.size();
+    const double length = profile.step_m * static_cast<double>(points);
+    constexpr std::uint64_t for_wheel = 331;  // purpose of derived seeds, one per wheel
+    Spectrum amplitude(points / 2 + 1);
+    add_gaussian(amplitude, irregularity, request, length, derived_seed(request.seed, for_wheel + wheel),
+                 [&](double n) { return request.own.at(n); });
+    const Profile own = synthesise(amplitude, length, points, request);
+    for (std::size_t i = 0; i < points; ++i) profile.height_m[i] += own.height_m[i];
 }
 
 double profile_rms(const Profile& profile, double from_m, double to_m) {

@@ -22,6 +22,13 @@ struct MeasuredProfile {
     std::vector<double> position_m, height_m;
 };
 
+/// Share of the spectrum that every wheel meets for itself: min(1, at_1_m·(n·1 m)^exponent) at n cycles/m. The rest is
+/// common to all, so that each wheel meets the whole spectrum and two of them are coherent by (1 − share)².
+struct OwnShare {
+    double at_1_m = 0.0, exponent = 1.0;
+    double at(double cycles_per_m) const;
+};
+
 struct ProfileRequest {
     double from_m = 0.0, to_m = 0.0;  ///< stretch that the wheels will meet
     double length_m = 0.0;            ///< period of the drawn profile; 0: the next that holds the stretch
@@ -29,6 +36,7 @@ struct ProfileRequest {
     double shortest_wavelength_m = 0.0;  ///< shorter waves are left out (the integrator could not follow them)
     double patch_half_length_m = 0.0;    ///< moving average over twice this length; 0: none
     std::uint64_t seed = 1;
+    OwnShare own;  ///< left out of what draw_profile() gives
 };
 
 /// Gaussian profile with the case's spectrum: every spatial frequency k/length up to 1/shortest gets an independent
@@ -41,6 +49,11 @@ Profile draw_profile(const spectra::IrregularityParameters& irregularity, const 
 /// The same from measured heights, interpolated, with the patch average. Throws parameters::ParameterError when they do
 /// not cover the stretch.
 Profile resample_profile(const MeasuredProfile& measured, const ProfileRequest& request);
+
+/// Adds to a drawn profile what the wheel (0 to 3) meets for itself; for a measured one too, by the case's spectrum.
+/// Drawn by seed, wheel and spatial frequency alone.
+void add_own_profile(Profile& profile, const spectra::IrregularityParameters& irregularity,
+                     const ProfileRequest& request, std::size_t wheel);
 
 /// Standard deviation of the heights between two positions, m.
 double profile_rms(const Profile& profile, double from_m, double to_m);

@@ -106,8 +106,12 @@ double FilteredChannel::output() const {
     return sum;
 }
 
-std::vector<double> draw_noise(const pem::SensorParameters& sensor, std::size_t samples, double sampling_rate_hz,
-                               std::uint64_t seed) {
+namespace {
+
+/// Gaussian noise of the given rms whose density is `density` at f Hz, up to a factor; nothing below 0.5 Hz.
+template <typename Density>
+std::vector<double> gaussian_noise(double rms, std::size_t samples, double sampling_rate_hz, std::uint64_t seed,
+                                   const Density& density_at) {
     std::size_t points = 64;
     while (points < samples) points *= 2;
     Spectrum spectrum(points / 2 + 1);
@@ -115,12 +119,12 @@ std::vector<double> draw_noise(const pem::SensorParameters& sensor, std::size_t 
     for (std::size_t k = 1; k < spectrum.size(); ++k) {
         const double f = sampling_rate_hz * static_cast<double>(k) / static_cast<double>(points);
         if (f < 0.5) continue;
-        const double density = std::pow(f / 10.0, sensor.noise_slope_db_per_octave / (10.0 * std::log10(2.0)));
+        const double density = density_at(f);
         const auto [a, b] = normal_pair_at(seed, k);
         spectrum[k] = std::sqrt(density) * std::complex<double>(a, b);
         power += 4.0 * density;  // variance of 2·Re(c·e^{iωt}), c = √density·(a + ib)
     }
-    const double scale = sensor.noise_rms_m_per_s2 / std::sqrt(power) * static_cast<double>(points);
+    const double scale = rms / std::sqrt(power) * static_cast<double>(points);
     for (std::complex<double>& value : spectrum) value *= scale;
     Eigen::FFT<double> transform;
     transform.SetFlag(Eigen::FFT<double>::HalfSpectrum);
@@ -128,6 +132,20 @@ std::vector<double> draw_noise(const pem::SensorParameters& sensor, std::size_t 
     transform.inv(noise, spectrum, static_cast<Eigen::Index>(points));
     noise.resize(samples);
     return noise;
+}
+
+}  // namespace
+
+std::vector<double> draw_noise(const pem::SensorParameters& sensor, std::size_t samples, double sampling_rate_hz,
+                               std::uint64_t seed) {
+    return gaussian_noise(sensor.noise_rms_m_per_s2, samples, sampling_rate_hz, seed, [&](double f) {
+        return std::pow(f / 10.0, sensor.noise_slope_db_per_octave / (10.0 * std::log10(2.0)));
+    });
+}
+
+std::vector<double> draw_pink_noise(double rms, double corner_hz, std::size_t samples, double sampling_rate_hz,
+                                    std::uint64_t seed) {
+    return gaussian_noise(rms, samples, sampling_rate_hz, seed, [&](double f) { return 1.0 + corner_hz / f; });
 }
 
 }  // namespace railpem::simulate

@@ -40,6 +40,11 @@ class FilteredChannel {
     std::size_t next_ = 0;
 };
 
+/// Gaussian noise of the rms from 0.5 Hz to half the sampling rate with S(f) ∝ 1 + corner/f: white above the corner,
+/// 1/f below it.
+std::vector<double> draw_pink_noise(double rms, double corner_hz, std::size_t samples, double sampling_rate_hz,
+                                    std::uint64_t seed);
+
 /// Gaussian noise with the sensor's rms and slope between 0.5 Hz and half the sampling rate; S(f) ∝ (f/10
 /// Hz)^(slope/3.01).
 std::vector<double> draw_noise(const pem::SensorParameters& sensor, std::size_t samples, double sampling_rate_hz,

@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "parameters/parameter_error.hpp"
+#include "simulate/march/imperfect_sensors.hpp"
 #include "simulate/march/sensor_chain.hpp"
 #include "simulate/march/world.hpp"
 #include "simulate/numerics/random_numbers.hpp"
@@ -189,6 +190,42 @@ void march(World& world, const Excitation& excitation, const Travel& travel, con
     recording.making.solves_per_step = static_cast<double>(world.solves) / static_cast<double>(steps);
 }
 
+/// The record before the first step: its channels, and the speed that it states.
+Recording empty_recording(const pem::CaseParameters& parameters, const Options& options, const Travel& travel,
+                          std::size_t samples) {
+    Recording recording{.sampling_rate_hz = options.sampling_rate_hz,
+                        .speed_m_per_s = travel.speed_m_per_s,
+                        .speed_standard_error_m_per_s = options.speed_fluctuation * travel.speed_m_per_s,
+                        .payload_kg = parameters.vehicle.payload_kg,
+                        .channels = empty_channels(parameters, samples),
+                        .speed_channel_m_per_s = {},
+                        .making = {}};
+    WorldDraws& draws = recording.making.draws;
+    describe_travel(travel, options.seconds, draws);
+    if (!travel.curve.speed_m_per_s.empty()) {
+        recording.speed_m_per_s = draws.mean_speed_m_per_s;
+        recording.speed_standard_error_m_per_s = draws.speed_rms_m_per_s;
+    }
+    if (options.speed_channel)
+        for (std::size_t i = 0; i < samples; ++i)
+            recording.speed_channel_m_per_s.push_back(travel.speed(static_cast<double>(i) / options.sampling_rate_hz));
+    return recording;
+}
+
+/// The factors of the seats that the wheels pass, from that behind the last wheel to that before the first.
+void describe_seats(const World& world, double way_m, WorldDraws& draws) {
+    const SeatScatter& scatter = world.track.variation.scatter;
+    if (!scatter.any()) return;
+    const double spacing = world.track.spacing_m;
+    const double way = world.mode == Mode::moving ? way_m : 0.0;
+    draws.first_seat = static_cast<std::int64_t>(std::floor((world.wheel_offset_m - world.behind_m[3]) / spacing));
+    const auto last = static_cast<std::int64_t>(std::ceil((world.wheel_offset_m + way) / spacing));
+    for (std::int64_t seat = draws.first_seat; seat <= last; ++seat) {
+        draws.pad_stiffness.push_back(scatter.pad_factor(seat));
+        draws.support_stiffness.push_back(scatter.support_factor(seat));
+    }
+}
+
 }  // namespace
 
 Recording simulate(const pem::CaseParameters& parameters, const Options& options) {
@@ -206,25 +243,24 @@ Recording simulate(const pem::CaseParameters& parameters, const Options& options
     const double start_s = static_cast<double>(schedule.first) * schedule.step_s;
     const double end_s = static_cast<double>(schedule.last) * schedule.step_s;
 
-    const Travel travel = make_travel(speed, options.speed_fluctuation, options.seed);
+    const Travel travel = make_travel(speed, options, start_s, end_s);
     World world = make_world(parameters, options, speed, schedule.step_s, travel.distance(start_s));
-    Excitation excitation = make_excitation(parameters, options, travel, start_s, end_s, schedule.step_s);
+    Recording recording = empty_recording(parameters, options, travel, schedule.samples);
+    Making& making = recording.making;
+    Excitation excitation =
+        make_excitation(parameters, options, travel, start_s, end_s, schedule.step_s, &making.draws);
     add_passing(excitation, world, parameters, options.mode);
+    describe_seats(world, travel.distance(options.seconds), making.draws);
 
-    Recording recording{.sampling_rate_hz = options.sampling_rate_hz,
-                        .speed_m_per_s = speed,
-                        .speed_standard_error_m_per_s = options.speed_fluctuation * speed,
-                        .payload_kg = parameters.vehicle.payload_kg,
-                        .channels = empty_channels(parameters, schedule.samples),
-                        .making = {}};
     march(world, excitation, travel, schedule, options, filters, recording);
+    spoil_channels(recording, options.world, options.seed);
     add_noise(recording, sensors, options);
 
-    Making& making = recording.making;
     making.step_s = schedule.step_s;
     making.profile_rms_m = profile_rms(excitation.profile, travel.distance(0.0), travel.distance(options.seconds));
     making.profile_length_m = excitation.profile.step_m * static_cast<double>(excitation.profile.height_m.size());
-    making.shortest_wavelength_m = shortest_wavelength_m(parameters.irregularity, speed, schedule.step_s);
+    making.shortest_wavelength_m =
+        shortest_wavelength_m(parameters.irregularity, highest_speed_m_per_s(travel), schedule.step_s);
     making.chain_error = world.track.law.chain.largest_error;
     making.seconds_per_second =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count() / options.seconds;

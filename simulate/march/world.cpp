@@ -43,6 +43,16 @@ std::vector<Oscillator> seat_oscillators(const track::SupportParameters& support
     return oscillators;
 }
 
+/// A line keeps its seats: they are drawn by the seed of the line, not of the record.
+SeatScatter seat_scatter(const track::TrackParameters& track, const WorldParameters& world, std::uint64_t line_seed) {
+    return {.seed = line_seed,
+            .pad = world.pad_scatter,
+            .pad_damping = world.pad_damping_scatter,
+            .support = world.support_scatter,
+            .support_seats = world.support_length_m / track.spacing_m,
+            .ground_share = track.support.model == track::SupportModel::two_layer ? 0.0 : world.ground_share};
+}
+
 SeatVariation seat_variation(const track::TrackParameters& track, const WanderingSubgrade& ground) {
     SeatVariation variation;
     if (!track.failed_fasteners.empty()) {
@@ -109,7 +119,9 @@ void set_laws(TrackWindow& window, const track::TrackParameters& track, const Op
     law.reference_stiffness_n_per_m = law.curve.tangent(0.0);
     law.nonlinear = is_nonlinear(track.pads, play) && !(options.mode == Mode::standing && options.linear_pads);
     law.oscillators = seat_oscillators(track.support, options.only_here.wandering_subgrade);
+    law.supported = track.support.model == track::SupportModel::two_layer;
     window.variation = seat_variation(track, options.only_here.wandering_subgrade);
+    window.variation.scatter = seat_scatter(track, options.world, line_seed(options));
     window.seats.assign(static_cast<std::size_t>(window.bays + 1), fresh_seat(law));
 }
 
@@ -150,6 +162,19 @@ void set_down(World& world, double distance_m) {
     for (const Eigen::Index heave : {0, 2, 4, 6, 7, 8, 9}) world.vehicle_state.displacement[heave] = 0.25 * sum;
 }
 
+/// The window with the seats of the law: what repeats from bay to bay.
+TrackWindow without_scatter(TrackWindow track) {
+    if (!track.variation.scatter.any()) return track;
+    for (std::size_t i = 0; i < track.seats.size(); ++i) {
+        Seat& seat = track.seats[i];
+        const std::int64_t number = track.first_seat + static_cast<std::int64_t>(i);
+        seat.share = track.variation.has_failed(number) ? track.variation.remaining_share : 1.0;
+        std::fill(seat.oscillator_scale.begin(), seat.oscillator_scale.end(), 1.0);
+        if (!seat.oscillator_scale.empty()) seat.oscillator_scale.back() = track.variation.ground_scale(number);
+    }
+    return track;
+}
+
 }  // namespace
 
 World make_world(const pem::CaseParameters& parameters, const Options& options, double speed_m_per_s, double step_s,
@@ -186,7 +211,7 @@ World make_world(const pem::CaseParameters& parameters, const Options& options, 
 
 std::array<std::vector<double>, 4> quasi_static_deflection(const World& world, int places) {
     std::array<std::vector<double>, 4> deflection;
-    const TrackWindow& track = world.track;
+    const TrackWindow track = without_scatter(world.track);
     const double load = world.junction.contact.static_load_n;
     const double origin = static_cast<double>(track.first_seat + track.wheel_1_bay) * track.spacing_m;
     for (int i = 0; i < places; ++i) {

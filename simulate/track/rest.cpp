@@ -17,10 +17,8 @@ constexpr double passage_s = 0.3;
 
 double foot_compliance(const TrackWindow& track, const Seat& seat) {
     double sum = 0.0;
-    for (std::size_t r = 0; r < track.law.oscillators.size(); ++r) {
-        const double scale = r + 1 == track.law.oscillators.size() ? seat.oscillator_scale : 1.0;
-        sum += 1.0 / (scale * track.law.oscillators[r].stiffness_n_per_m);
-    }
+    for (std::size_t r = 0; r < track.law.oscillators.size(); ++r)
+        sum += 1.0 / (seat.oscillator_scale[r] * track.law.oscillators[r].stiffness_n_per_m);
     return sum;
 }
 
@@ -126,11 +124,9 @@ void start_moving(TrackWindow& track, const PadCurve& curve, const std::vector<d
         seat.compression_m = rest.compression_m[i];
         for (std::size_t b = 0; b < chain.strength.size(); ++b)
             seat.branch_force_n[b] = chain.time_s[b] > passage_s ? 0.0 : curve.force(rest.compression_m[i]);
-        for (std::size_t r = 0; r < track.law.oscillators.size(); ++r) {
-            const double scale = r + 1 == track.law.oscillators.size() ? seat.oscillator_scale : 1.0;
+        for (std::size_t r = 0; r < track.law.oscillators.size(); ++r)
             seat.oscillators[r].displacement_m =
-                -rest.force_n[i] / (scale * track.law.oscillators[r].stiffness_n_per_m);
-        }
+                -rest.force_n[i] / (seat.oscillator_scale[r] * track.law.oscillators[r].stiffness_n_per_m);
     }
 }
 

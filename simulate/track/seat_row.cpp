@@ -21,20 +21,20 @@ Seat fresh_seat(const SeatLaw& law) {
     seat.reference_stiffness_n_per_m = law.reference_stiffness_n_per_m;
     seat.branch_force_n.assign(law.chain.strength.size(), 0.0);
     seat.oscillators.resize(law.oscillators.size());
+    seat.oscillator_scale.assign(law.oscillators.size(), 1.0);
     seat.oscillator_receptance.resize(law.oscillators.size());
     seat.oscillator_history.resize(law.oscillators.size());
     return seat;
 }
 
 void set_stiffness(Seat& seat, const SeatLaw& law, const SeatStep& numbers, const RadauStep& step) {
-    const Complex pad =
-        seat.share * (numbers.modulus * seat.reference_stiffness_n_per_m + law.dashpot_n_s_per_m * step.s);
+    const Complex pad = seat.share * (numbers.modulus * seat.reference_stiffness_n_per_m +
+                                      seat.dashpot_scale * law.dashpot_n_s_per_m * step.s);
     Complex foot = 0.0;  // receptance of the foot
     for (std::size_t r = 0; r < law.oscillators.size(); ++r) {
         const Oscillator& o = law.oscillators[r];
-        const double scale = r + 1 == law.oscillators.size() ? seat.oscillator_scale : 1.0;
-        seat.oscillator_receptance[r] =
-            1.0 / (o.mass_kg * step.s * step.s + o.damping_n_s_per_m * step.s + o.stiffness_n_per_m * scale);
+        seat.oscillator_receptance[r] = 1.0 / (o.mass_kg * step.s * step.s + o.damping_n_s_per_m * step.s +
+                                               o.stiffness_n_per_m * seat.oscillator_scale[r]);
         foot += seat.oscillator_receptance[r];
     }
     seat.softening = 1.0 / (1.0 + pad * foot);
@@ -44,7 +44,7 @@ void set_stiffness(Seat& seat, const SeatLaw& law, const SeatStep& numbers, cons
 
 void begin_step(Seat& seat, const SeatLaw& law, const SeatStep& numbers, const RadauStep& step) {
     // Pad: −c·s·1̂·x − Σ strength·sτ/(1 + sτ)·1̂·h; oscillators: 1̂·s·[m(s·y + ẏ) + c·y].
-    Complex pad = -product(law.dashpot_n_s_per_m * seat.compression_m * step.s, step.one);
+    Complex pad = -product(seat.dashpot_scale * law.dashpot_n_s_per_m * seat.compression_m * step.s, step.one);
     for (std::size_t b = 0; b < seat.branch_force_n.size(); ++b)
         pad -= numbers.branch_weight[b] * seat.branch_force_n[b];
     Complex foot = 0.0;

@@ -24,6 +24,7 @@ struct SeatLaw {
     bool nonlinear = false;
     PadCurve curve;  ///< nonlinear only
     std::vector<Oscillator> oscillators;
+    bool supported = false;  ///< the first oscillator is the sleeper on its ballast
 };
 
 /// State of one oscillator, upwards positive.
@@ -33,13 +34,14 @@ struct Motion {
 };
 
 /// One seat. Compression x = foot − rail (both upwards positive); force F on the rail upwards, on the foot downwards:
-///   F = share·( g∗E(x) + c·ẋ ), E the elastic curve about the compression `origin_m`, g the chain.
+///   F = share·( g∗E(x) + scale·c·ẋ ), E the elastic curve about the compression `origin_m`, g the chain.
 struct Seat {
-    double share = 1.0;     ///< what is left of stiffness and damping (failed fasteners)
-    double origin_m = 0.0;  ///< of the curve: 0 unloaded, in standing mode the static compression
+    double share = 1.0;          ///< of stiffness and damping, relative to the law (failed fasteners, scatter)
+    double dashpot_scale = 1.0;  ///< of the dashpot beside that
+    double origin_m = 0.0;       ///< of the curve: 0 unloaded, in standing mode the static compression
     double reference_stiffness_n_per_m = 0.0;
-    double oscillator_scale = 1.0;  ///< stiffness of the last oscillator relative to the law's (ground that varies)
-    double compression_m = 0.0;     ///< at the start of the step
+    std::vector<double> oscillator_scale;  ///< stiffness of each oscillator relative to the law's (ground that varies)
+    double compression_m = 0.0;            ///< at the start of the step
     std::vector<double> branch_force_n;
     std::vector<Motion> oscillators;
 

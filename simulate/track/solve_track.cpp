@@ -8,11 +8,22 @@ namespace railpem::simulate {
 
 namespace {
 
+/// On its own part of the track: a pad on a sleeper scatters by itself and the ballast under it; where the pad stands
+/// for all, pad and ground scatter in series. The dashpot of a pad is independent of both.
+void scatter_seat(Seat& seat, const SeatLaw& law, const SeatScatter& scatter, std::int64_t number) {
+    const double factor = scatter.seat_factor(number);
+    seat.share *= factor;
+    seat.dashpot_scale = scatter.dashpot_factor(number) / factor;
+    if (law.supported) seat.oscillator_scale.front() *= scatter.support_factor(number);
+}
+
 void set_seat(TrackWindow& track, std::size_t i, const RadauStep& step) {
     const std::int64_t number = track.first_seat + static_cast<std::int64_t>(i);
     Seat& seat = track.seats[i];
-    seat.share = track.variation.has_failed(number) ? track.variation.remaining_share : 1.0;
-    seat.oscillator_scale = track.variation.ground_scale(number);
+    const SeatVariation& variation = track.variation;
+    seat.share = variation.has_failed(number) ? variation.remaining_share : 1.0;
+    if (!seat.oscillator_scale.empty()) seat.oscillator_scale.back() = variation.ground_scale(number);
+    if (variation.scatter.any()) scatter_seat(seat, track.law, variation.scatter, number);
     set_stiffness(seat, track.law, track.seat_numbers, step);
 }
 

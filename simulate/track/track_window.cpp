@@ -2,23 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-
-#include "simulate/numerics/random_numbers.hpp"
 
 namespace railpem::simulate {
-
-bool SeatVariation::has_failed(std::int64_t seat) const {
-    if (failed_every > 0 && (seat - failed_origin) % failed_every == 0) return true;
-    return failed_fraction > 0.0 && uniform_at(failed_seed, static_cast<std::uint64_t>(seat)) < failed_fraction;
-}
-
-double SeatVariation::ground_scale(std::int64_t seat) const {
-    if (ground_variation == 0.0) return 1.0;
-    const double frequency =
-        1.0 + ground_variation * std::sin(2.0 * std::numbers::pi * static_cast<double>(seat) / ground_period_seats);
-    return frequency * frequency;
-}
 
 Stencil stencil_at(const TrackWindow& track, double position_m) {
     const double place = position_m - static_cast<double>(track.first_seat) * track.spacing_m;

@@ -7,6 +7,7 @@
 #include "simulate/numerics/block_tridiagonal.hpp"
 #include "simulate/track/beam_element.hpp"
 #include "simulate/track/seat_row.hpp"
+#include "simulate/track/seat_variation.hpp"
 
 namespace railpem::simulate {
 
@@ -25,22 +26,6 @@ struct WindowOptions {
 struct DamperLaw {
     double mass_kg, stiffness_n_per_m, damping_n_s_per_m;  ///< per node
     Complex coupling, receptance;                          ///< k + c·s and 1/(m·s² + k + c·s)
-};
-
-/// What varies from seat to seat: a function of the seat's number, counted from the one at or behind wheel 1 at the
-/// start.
-struct SeatVariation {
-    int failed_every = 0;
-    int failed_origin = 0;  ///< number of the seat nearest to wheel 1
-    double failed_fraction = 0.0;
-    std::uint64_t failed_seed = 1;
-    double remaining_share = 1.0;
-    double ground_variation = 0.0;  ///< relative, of the last oscillator's frequency
-    double ground_period_seats = 1.0;
-
-    bool is_uniform() const { return failed_every == 0 && failed_fraction == 0.0 && ground_variation == 0.0; }
-    bool has_failed(std::int64_t seat) const;
-    double ground_scale(std::int64_t seat) const;  ///< of its stiffness
 };
 
 /// A stretch of track that travels with the vehicle, bay by bay: what enters ahead is at rest, what leaves behind is

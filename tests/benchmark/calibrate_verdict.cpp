@@ -15,6 +15,7 @@
 #include "app/schema/believed_case.hpp"
 #include "app/schema/case_file.hpp"
 #include "diagnosis/diagnose.hpp"
+#include "diagnosis/fit/fit.hpp"
 #include "diagnosis/fit/interval.hpp"
 #include "diagnosis/fit/synthesis.hpp"
 

@@ -7,6 +7,7 @@
 #include "diagnosis/fit/synthesis.hpp"
 #include "parameters/parameter_error.hpp"
 #include "pem/contact.hpp"
+#include "tests/unit/diagnosis/nature_of.hpp"
 #include "tests/verification/pem/paper_case.hpp"
 
 namespace railpem::diagnosis {
@@ -57,7 +58,10 @@ inline BelievedCase paper_believed(const std::vector<std::string>& uncertain) {
         believed.uncertain.push_back({.key = key,
                                       .value = number_at(numbers, key),
                                       .tolerance = tolerance_of(key),
-                                      .element = element_of_key(key)});
+                                      .element = element_of_key(key),
+                                      .range = {},
+                                      .unit = {},
+                                      .nature = nature_of(key)});
     return believed;
 }
 

@@ -193,6 +193,22 @@ TEST(ScoreTables, AreWhatTheyPromise) {
     EXPECT_EQ(json.at("measures").at("nulls_named").at("goal").at("at_most"), 0.01);
 }
 
+TEST(ScoreTables, CountEveryWorldByItself) {
+    Made made;
+    for (std::size_t i = 0; i < 2; ++i) made.truths[i].world = read_world_option("worn");
+    const std::vector<ScoredTrial> trials = judge_all(made.truths, made.results);
+    const std::string csv = trials_csv(trials);
+    EXPECT_EQ(csv.substr(0, 17), "trial,world,kind,");
+    EXPECT_NE(csv.find("\n0,worn,nothing,"), std::string::npos);
+    EXPECT_NE(csv.find("\n2,ideal,single,"), std::string::npos);
+    const auto json = nlohmann::json::parse(score_json(score_of(trials), trials, "{}", 20));
+    EXPECT_EQ(json.at("worlds").at("worn").at("finished"), 2u);
+    EXPECT_EQ(json.at("worlds").at("ideal").at("finished"), trials.size() - 2);
+    const auto& nulls = json.at("worlds").at("worn").at("measures").at("nulls_named");
+    EXPECT_EQ(nulls.at("hits"), 1u) << "of the two nulls one was named";
+    EXPECT_EQ(nulls.at("of"), 2u);
+}
+
 TEST(TrialResult, IsReadBackAsItWasWritten) {
     TrialResult result = result_of(3, "explained", {exponent(0.1, 0.2)}, "pad");
     result.omitted.front().choices = {{"channel", "bogie_1"}};

@@ -37,6 +37,20 @@ TEST(TrialDraw, AnotherSeedGivesOtherTrials) {
     EXPECT_NE(trial_truth_text(proof().draw(12, 3)), trial_truth_text(drawn()[3]));
 }
 
+// The world is not drawn: everything else of a trial is the same in any of them.
+TEST(TrialDraw, AnotherWorldChangesNothingElse) {
+    const World good = read_world_option("good");
+    const TrialTruth ideal = proof().draw(11, 5);
+    TrialTruth imperfect = draw_trial(proof().file, proof().believed, {.seed = 11, .world = good}, 5);
+    EXPECT_EQ(imperfect.world.parameters, good.parameters);
+    EXPECT_EQ(imperfect.noise_rms_m_per_s2, 0.0) << "the world has noise of its own";
+    EXPECT_NE(trial_truth_text(imperfect).find("\"grade\": \"good\""), std::string::npos);
+    EXPECT_EQ(trial_truth_text(ideal).find("grade"), std::string::npos);
+    imperfect.world = {};
+    imperfect.noise_rms_m_per_s2 = ideal.noise_rms_m_per_s2;
+    EXPECT_EQ(trial_truth_text(imperfect), trial_truth_text(ideal));
+}
+
 TEST(TrialDraw, AnyBeginningHoldsTheMix) {
     const TrialMix mix;
     for (const std::size_t count : {40u, 100u, 200u}) {

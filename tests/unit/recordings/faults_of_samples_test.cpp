@@ -9,6 +9,7 @@
 #include <random>
 
 #include "faulty_record.hpp"
+#include "recordings/inspection/inspection_words.hpp"
 
 namespace railpem::recordings::testing {
 namespace {

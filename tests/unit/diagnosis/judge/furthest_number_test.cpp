@@ -5,6 +5,8 @@
 #include <cmath>
 #include <map>
 
+#include "tests/unit/diagnosis/nature_of.hpp"
+
 namespace railpem::diagnosis {
 namespace {
 
@@ -12,7 +14,8 @@ namespace {
 FittedSet ended_at(const std::map<std::string, double>& factors) {
     FittedSet set;
     for (const auto& [key, factor] : factors) {
-        set.fit.unknowns.push_back({.kind = UnknownKind::number, .name = key, .deviation = 0.05});
+        set.fit.unknowns.push_back(
+            {.kind = UnknownKind::number, .name = key, .deviation = 0.05, .nature = nature_of(key)});
         set.fit.values.push_back(std::log(factor));
     }
     return set;
@@ -65,7 +68,7 @@ TEST(FurthestNumber, IsNoneThatIsReleased) {
 // ask for 2^{−2/3} of G.
 TEST(FurthestNumber, ContactsGoWithTheLoad) {
     const auto stiffness = [](double load, double constant) { return 1.5 * std::cbrt(load) / constant; };
-    EXPECT_NEAR(stiffness(2.0, std::pow(2.0, power_of_scale("contact.constant_m_per_n23"))) / stiffness(1.0, 1.0), 2.0,
+    EXPECT_NEAR(stiffness(2.0, std::pow(2.0, power_of_scale(parameters::Nature::contact))) / stiffness(1.0, 1.0), 2.0,
                 kNothing);
 }
 

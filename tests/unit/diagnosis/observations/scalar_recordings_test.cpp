@@ -6,6 +6,9 @@
 
 #include <algorithm>
 
+#include "diagnosis/fit/derivatives.hpp"
+#include "diagnosis/fit/fit.hpp"
+#include "diagnosis/likelihood/likelihood.hpp"
 #include "diagnosis/likelihood/scalar_likelihood.hpp"
 #include "parameters/parameter_error.hpp"
 #include "tests/unit/diagnosis/scalar_recordings.hpp"
