@@ -6,6 +6,7 @@
 #include <set>
 
 #include "app/fingerprint.hpp"
+#include "app/prove/score_proof.hpp"
 #include "app/tables/json_values.hpp"
 
 namespace railpem::app {
