@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <cmath>
+#include <sstream>
 
 #include "effects/catalogue.hpp"
 
@@ -14,8 +15,7 @@ namespace {
 constexpr const char* kIntroduction =
     "# Effects\n\n"
     "Physics that a believed case may have left out. Each effect can be switched on in a case file with a table, can "
-    "be "
-    "hidden in a\n"
+    "be hidden in a\n"
     "simulated recording (`railpem simulate CASE --hide EFFECT:parameter=value,…`), and is a hypothesis of `railpem "
     "diagnose`. They\n"
     "combine, and the order in which they are listed does not matter. What adds to the case (an exponent, a friction "
@@ -29,6 +29,18 @@ constexpr const char* kIntroduction =
     "The bands are those of a subway car on a rigid track with elastic pads at 80 km/h. This page is printed by "
     "`railpem "
     "describe effects`.\n\n";
+
+/// An item of a list, folded at 120 columns.
+std::string item(const std::string& head, const std::string& text) {
+    constexpr std::size_t kColumns = 120;
+    std::string page, line = "- **" + head + "**:";
+    std::stringstream words(text);
+    for (std::string word; words >> word;) {
+        if (line.size() + 1 + word.size() > kColumns) page += line + "\n", line = " ";
+        line += " " + word;
+    }
+    return page + line + "\n";
+}
 
 std::string infinite_or_number(double value) {
     return std::isinf(value) ? "∞" : fmt::format("{:g}", value);
@@ -73,10 +85,10 @@ std::string effect_text(const EffectDescription& effect) {
     page += "| parameter | unit | range | typical | prior | what it is |\n|---|---|---|---|---|---|\n";
     for (const EffectChoice& choice : effect.choices) page += choice_text(choice);
     for (const EffectParameter& parameter : effect.parameters) page += parameter_text(parameter);
-    page += fmt::format("\n- **Law**: {}.\n- **Place**: {}; shows at {}.\n- **Mimics**: {}\n{}- **Source**: {}.\n\n",
-                        effect.equation, elements_text(effect), bands_text(effect), effect.mimics,
-                        effect.not_told.empty() ? "" : fmt::format("- **Not told**: {}.\n", effect.not_told),
-                        effect.source);
+    page += "\n" + item("Law", effect.equation + ".") +
+            item("Place", elements_text(effect) + "; shows at " + bands_text(effect) + ".") +
+            item("Mimics", effect.mimics) + (effect.not_told.empty() ? "" : item("Not told", effect.not_told + ".")) +
+            item("Source", effect.source + ".") + "\n";
     page += fmt::format("![spectra with and without {0}](effects/{0}.png)\n\n", effect.id);
     return page;
 }

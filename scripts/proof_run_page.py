@@ -15,7 +15,8 @@ def goal(measure):
 def command(run):
     draw = run.score["settings"]["draw"]
     quick = "--quick " if draw["most_records"] == 1 else ""
-    return f"build/release/railpem prove {quick}--trials {run.score['trials']} --seed {draw['seed']} --out out/proof"
+    world = draw.get("world", {}).get("grade", "ideal")
+    return f"build/release/railpem prove {quick}--trials {run.score['trials']} --seed {draw['seed']} --world {world} --out out/proof"
 
 
 def measure_rows(score):

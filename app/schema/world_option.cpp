@@ -8,7 +8,6 @@
 
 #include "app/input_error.hpp"
 #include "app/schema/nearest_key.hpp"
-#include "app/schema/schema.hpp"
 
 namespace railpem::app {
 

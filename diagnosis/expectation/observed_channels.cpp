@@ -42,11 +42,8 @@ std::string response_of(const recordings::ChannelDescription& channel, const pem
 Complex channel_factor(const pem::CaseParameters& parameters, const ObservedChannel& channel, double frequency) {
     Complex factor = 1.0;
     for (int i = 0; i < channel.integrations; ++i) factor /= Complex(0.0, 2.0 * std::numbers::pi * frequency);
-    const std::string& where = pem::response_names()[channel.response].where;
-    for (const pem::SensorParameters& sensor : parameters.sensors)
-        if (pem::measured_response(sensor.channel) == where) factor *= pem::sensor_transfer(sensor, frequency);
-    if (!parameters.modifiers.sensors.empty()) factor *= pem::sensor_correction(parameters.modifiers, where, frequency);
-    return factor;
+    if (parameters.sensors.empty() && parameters.modifiers.sensors.empty()) return factor;
+    return factor * pem::channel_transfer(parameters, pem::response_names()[channel.response].where, frequency);
 }
 
 std::vector<ObservedChannel> observed_channels(const std::vector<recordings::ChannelDescription>& channels,

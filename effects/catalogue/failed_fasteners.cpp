@@ -11,10 +11,10 @@ EffectDescription failed_fasteners() {
         .says = "some fasteners carry little or nothing, so the rail sags further over them",
         .in_short = "some fasteners carry nothing",
         .equation =
-            "every n-th seat: lines at m·v/(n·spacing) from the deflection under the standing wheels, what it "
-            "makes of the irregularity's forces at the same shifts, and with solver.moving a receptance averaged "
-            "over positions (without, wheel 1 stands over a failed seat); random "
-            "seats: shot noise with 2p(1 − p)/spacing·|pulse(κ)|²",
+            "every n-th seat: lines at m·v/(n·spacing) from the deflection under the standing wheels, and what it "
+            "makes of the irregularity's forces at the same shifts. With solver.moving the receptance is averaged over "
+            "positions (without, wheel 1 stands over a failed seat). Random seats: shot noise with 2p(1 − "
+            "p)/spacing·|pulse(κ)|²",
         .source =
             "Zhou & Shen 2013, J. Zhejiang University Science A 14 (trains over failed fasteners); Rice 1944, Bell "
             "System Technical Journal 23 (shot noise)",

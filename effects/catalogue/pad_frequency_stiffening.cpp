@@ -28,9 +28,9 @@ EffectDescription pad_frequency_stiffening() {
         .bands = {{30.0, 200.0}},
         .mimics =
             "A pad that is simply stiffer and has another dashpot (parameter-error of the pad) hides nearly all of "
-            "it at one speed; other speeds move the wheel comb through the band and tell them apart, and a hammer "
-            "test or a decay rate over a decade of frequency decides. pad-hysteresis has the same flat loss angle "
-            "but no dashpot beside it: the loss above 100 Hz differs.",
+            "it at one speed. Other speeds move the wheel comb through the band and tell them apart; a hammer test or "
+            "a decay rate over a decade of frequency decides. pad-hysteresis has the same flat loss angle but no "
+            "dashpot beside it: the loss above 100 Hz differs.",
         .draws = {{.parameters = {{.name = "exponent", .low = 0.02, .high = 0.35, .spacing = DrawSpacing::logarithmic}},
                    .strength = "exponent"}},
     };

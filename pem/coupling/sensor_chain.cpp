@@ -1,7 +1,9 @@
 #include "pem/coupling/sensor_chain.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "pem/response_names.hpp"
 
@@ -13,21 +15,35 @@ constexpr double kNoiseFrom = 0.5, kNoiseTo = 500.0, kNoiseReference = 10.0;  //
 
 }  // namespace
 
-std::complex<double> sensor_transfer(const SensorParameters& sensor, double frequency_hz) {
+std::complex<double> sensor_transfer(const SensorParameters& sensor, double frequency_hz,
+                                     const lanes::FactorCurve* correction) {
     std::complex<double> transfer =
         std::polar(1.0, -2.0 * std::numbers::pi * frequency_hz * sensor.delay_s) * sensor.gain;
     if (sensor.resonance_frequency_hz > 0.0) {
         const double x = frequency_hz / sensor.resonance_frequency_hz;
         transfer /= std::complex<double>(1.0 - x * x, 2.0 * sensor.resonance_damping_ratio * x);
     }
+    if (correction) transfer *= correction->at(2.0 * std::numbers::pi * frequency_hz);
     return transfer;
 }
 
-std::complex<double> sensor_correction(const Modifiers& modifiers, const std::string& response, double frequency_hz) {
-    std::complex<double> correction = 1.0;
-    for (const auto& [channel, factor] : modifiers.sensors)
-        if (measured_response(channel) == response) correction *= factor.at(2.0 * std::numbers::pi * frequency_hz);
-    return correction;
+std::complex<double> channel_transfer(const CaseParameters& parameters, const std::string& response,
+                                      double frequency_hz) {
+    const std::map<std::string, lanes::FactorCurve>& corrections = parameters.modifiers.sensors;
+    std::complex<double> transfer = 1.0;
+    std::vector<std::string> corrected;  // a correction counts once, however many sensors a channel has
+    for (const SensorParameters& sensor : parameters.sensors) {
+        if (measured_response(sensor.channel) != response) continue;
+        const auto own = corrections.find(sensor.channel);
+        const bool first = std::find(corrected.begin(), corrected.end(), sensor.channel) == corrected.end();
+        if (own != corrections.end() && first) corrected.push_back(sensor.channel);
+        transfer *= sensor_transfer(sensor, frequency_hz, own != corrections.end() && first ? &own->second : nullptr);
+    }
+    for (const auto& [channel, correction] : corrections)
+        if (measured_response(channel) == response &&
+            std::find(corrected.begin(), corrected.end(), channel) == corrected.end())
+            transfer *= sensor_transfer({.channel = channel}, frequency_hz, &correction);
+    return transfer;
 }
 
 double sensor_noise_psd(const SensorParameters& sensor, double frequency_hz) {

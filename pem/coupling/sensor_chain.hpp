@@ -10,11 +10,15 @@
 
 namespace railpem::pem {
 
-/// Complex factor of gain, mounting resonance and delay: g·e^{−iωτ}/(1 − (f/f_m)² + 2iζf/f_m).
-std::complex<double> sensor_transfer(const SensorParameters& sensor, double frequency_hz);
+/// Complex factor of gain, mounting resonance and delay: g·e^{−iωτ}/(1 − (f/f_m)² + 2iζf/f_m); times the free
+/// correction of its channel, if there is one.
+std::complex<double> sensor_transfer(const SensorParameters& sensor, double frequency_hz,
+                                     const lanes::FactorCurve* correction = nullptr);
 
-/// What a diagnosis corrects of a response: Modifiers::sensors of the channels that measure it. 1 without.
-std::complex<double> sensor_correction(const Modifiers& modifiers, const std::string& response, double frequency_hz);
+/// What lies between a response and the channel that measures it: the transfers of all its sensors, with what a
+/// diagnosis corrects of its channels (Modifiers::sensors). 1 without any.
+std::complex<double> channel_transfer(const CaseParameters& parameters, const std::string& response,
+                                      double frequency_hz);
 
 /// PSD of the additive noise, (m/s²)²/Hz: C·(f/10 Hz)^(slope/(10·log10 2)) with C such that the integral from 0.5 Hz to
 /// 500 Hz is rms².

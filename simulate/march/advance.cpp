@@ -42,6 +42,8 @@ UnderWheels prepare_contacts(World& world, const Excitation& excitation, const T
     for (std::size_t j = 0; j < 4; ++j) {
         const auto row = 2 * static_cast<Eigen::Index>(j);
         under.rail[j] = world.compliance.at(world.step, world.loads[j].position_m[0]);
+        if (world.track.variation.scatter.any())
+            for (double& entry : under.rail[j]) entry *= world.compliance_ratio[j];
         for (std::size_t stage = 0; stage < 2; ++stage) {
             under.local[j][stage] = footing(world.track, world.loads[j], stage).local_compliance_m_per_n;
             under.height[j][stage] = excitation.at(j, at_s[stage], travel.distance(at_s[stage]));
@@ -71,6 +73,36 @@ void set_free_contacts(World& world, const UnderWheels& under, const Junction::V
                 approach + rail[stage] + under.height[j][stage] + back;
         }
         world.rail_displacement_m[j] = rail[1] - under.local[j][1] * world.loads[j].force_n[1];
+    }
+}
+
+/// Rail and forces under the wheels in one solve of a step.
+struct Solve {
+    std::array<std::array<double, 2>, 4> rail_m{}, force_n{};
+};
+
+Solve last_solve(const World& world) {
+    Solve solve;
+    for (std::size_t j = 0; j < 4; ++j) {
+        solve.rail_m[j] = rail_displacement(world.track, world.step, world.loads[j]);
+        solve.force_n[j] = world.loads[j].force_n;
+    }
+    return solve;
+}
+
+/// From two solves of a step: how far the rail gave for the change of the forces, over what was expected (least squares
+/// over the stages). A wheel moves by a hundredth of a bay in a step, so the next one finds nearly the same.
+void learn_compliance(World& world, const UnderWheels& under, const Solve& before, const Solve& now) {
+    for (std::size_t j = 0; j < 4; ++j) {
+        double found = 0.0, expected = 0.0;
+        for (std::size_t stage = 0; stage < 2; ++stage) {
+            double change = 0.0;
+            for (std::size_t other = 0; other < 2; ++other)
+                change -= under.rail[j][2 * stage + other] * (now.force_n[j][other] - before.force_n[j][other]);
+            found += change * (now.rail_m[j][stage] - before.rail_m[j][stage]);
+            expected += change * change;
+        }
+        if (expected > 0.0) world.compliance_ratio[j] *= std::clamp(found / expected, 0.5, 2.0);
     }
 }
 
@@ -105,10 +137,14 @@ int advance(World& world, const Excitation& excitation, const Travel& travel, do
     const Junction::Vector free_vehicle = world.junction.free;
     predict_loads(world, travel, time_s);
     const UnderWheels under = prepare_contacts(world, excitation, travel, time_s);
+    const bool scattered = world.track.variation.scatter.any();
+    Solve before;
     int solves = 0;
     while (solves < most) {
         const double pads_moved = solve_track(world.track, world.step, world.loads);
         ++solves;
+        if (scattered && solves == 1) before = last_solve(world);
+        if (scattered && solves == 2) learn_compliance(world, under, before, last_solve(world));
         set_free_contacts(world, under, free_vehicle);
         solve_junction(world.junction);
         const double loads_moved = update_loads(world);

@@ -33,6 +33,9 @@ struct World {
     std::array<double, 4> irregularity_m{};
     std::array<double, 4> local_compliance{};
     int solves = 0;
+    /// Seats that scatter: what the rail really gives under each wheel over what the table of equal ones says, as the
+    /// last step found it. Part of the Jacobian only.
+    std::array<double, 4> compliance_ratio{1.0, 1.0, 1.0, 1.0};
 };
 
 /// Sets up the world at rest; the case must have passed check(). `start_distance_m`: where the vehicle stands first.

@@ -47,7 +47,8 @@ TEST(RefusedWorlds, ValuesOutOfRange) {
                          "--world worn:pad_scatter=-0.1: 'pad_scatter' cannot be -0.1\nallowed: between 0 and 1\n");
     expect_world_refused({"--world", "worn:tone_hz=nan"},
                          "--world worn:tone_hz=nan: 'tone_hz' cannot be nan\nallowed: between 0.1 and 50000 Hz\n");
-    expect_world_refused({"--world", "worn:tone_hz=fast"}, "--world worn:tone_hz=fast: 'tone_hz' cannot be fast\n");
+    expect_world_refused({"--world", "worn:tone_hz=fast"},
+                         "--world worn:tone_hz=fast: 'tone_hz' cannot be fast\nallowed: between 0.1 and 50000 Hz\n");
 }
 
 TEST(RefusedWorlds, MissingAndRepeatedValues) {

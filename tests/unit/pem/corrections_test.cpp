@@ -133,10 +133,14 @@ TEST(ContactCorrection, ComplexComplianceOnTheDiagonal) {
 }
 
 TEST(SensorCorrection, IsThatOfTheChannelThatMeasuresTheResponse) {
-    Modifiers modifiers;
-    modifiers.sensors["axlebox_1"] = {.frequency_hz = {4.0, 64.0}, .value = {{1.0, 0.2}, {2.0, -0.6}}};
-    EXPECT_NEAR(std::abs(sensor_correction(modifiers, "wheel_1", 16.0) - Complex(1.5, -0.2)), 0.0, 1e-14);
-    EXPECT_EQ(sensor_correction(modifiers, "wheel_2", 16.0), Complex(1.0));
+    CaseParameters parameters;
+    parameters.modifiers.sensors["axlebox_1"] = {.frequency_hz = {4.0, 64.0}, .value = {{1.0, 0.2}, {2.0, -0.6}}};
+    const Complex correction(1.5, -0.2);
+    EXPECT_NEAR(std::abs(channel_transfer(parameters, "wheel_1", 16.0) - correction), 0.0, 1e-14);
+    EXPECT_EQ(channel_transfer(parameters, "wheel_2", 16.0), Complex(1.0));
+    // Beside two sensors of the channel it counts once.
+    parameters.sensors = {{.channel = "axlebox_1", .gain = 2.0}, {.channel = "axlebox_1", .gain = 3.0}};
+    EXPECT_NEAR(std::abs(channel_transfer(parameters, "wheel_1", 16.0) - 6.0 * correction), 0.0, 1e-13);
 }
 
 }  // namespace

@@ -120,7 +120,7 @@ Synthesised linkage_of_the_bogies() {
         spring.frequency_hz.push_back(f);
         spring.value.push_back(-stiffness / (mass * std::pow(2.0 * std::numbers::pi * f, 2)));
     }
-    made.truth.numbers.vehicle.between_bogies.rear = spring;
+    made.truth.numbers.modifiers.vehicle.between_bogies.rear = spring;
     made.draw(8);
     return made;
 }

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "diagnosis/effects/effect.hpp"
 #include "effects/describe_effects.hpp"
 
 namespace railpem::diagnosis {
