@@ -219,8 +219,7 @@ void add_broadband(const pem::CaseParameters& parameters, const pem::Excitation&
     const std::vector<double> wheels = vehicle::wheel_positions(parameters.vehicle);
     for (const pem::DelayedSpectrum& source : excitation.broadband) {
         const bool first = &source == &excitation.broadband.front();
-        const std::vector<double> power =
-            first ? irregularity.at_lines : powers_at_lines(speeds ? over_speeds(source, *speeds) : source, grid);
+        const std::vector<double> power = first ? irregularity.at_lines : powers_at_lines(source, grid, speeds);
         add_smoothed(
             fine_responses(parts.of_irregularity, source, power, wheels, speed, grid, speeds), expected.channels,
             weights,
@@ -229,10 +228,10 @@ void add_broadband(const pem::CaseParameters& parameters, const pem::Excitation&
     }
     std::vector<pem::DelayedSpectrum> faint = pem::pad_distortion(parts.pads, excitation.broadband, wheels, speed);
     std::ranges::move(pem::distortion_sources(options.contacts, parameters), std::back_inserter(faint));
-    add_as_they_are(parts.transfers, faint, wheels, speed, bin, speeds, expected);
+    add_as_they_are(parts.transfers, faint, wheels, speed, bin, expected);
     if (!parameters.modifiers.wheels_own.empty())
         add_wheels_own(parameters, parts.transfers, excitation.broadband.front(), wheels, speed, bin, expected);
-    add_felt(parts.transfers, parts.felt, excitation.broadband.front(), wheels, speed, bin, speeds, expected);
+    add_felt(parts.transfers, parts.felt, excitation.broadband.front(), wheels, speed, bin, expected);
 }
 
 void add_all_lines(const pem::CaseParameters& parameters, const pem::Excitation& excitation,

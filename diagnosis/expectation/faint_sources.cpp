@@ -49,17 +49,6 @@ void multiply(const ByWheel& transfer, const Met& met, ByWheel& product) {
         }
 }
 
-/// T with the amplitudes of one rank under every wheel.
-void turn(const ByWheel& transfer, const WheelCoherence& factor, std::size_t rank, ByWheel& turned) {
-    for (std::size_t j = 0; j < 4; ++j)
-        for (std::size_t c = 0; c < transfer.stride; ++c) {
-            const std::size_t i = j * transfer.stride + c;
-            const double re = factor[j][rank].real(), im = factor[j][rank].imag();
-            turned.re[i] = transfer.re[i] * re - transfer.im[i] * im;
-            turned.im[i] = transfer.re[i] * im + transfer.im[i] * re;
-        }
-}
-
 /// Adds A·Bᴴ, Hermitian, column by column. `column` is room for one: its real parts, then its imaginary ones.
 void add_product(const ByWheel& a, const ByWheel& b, std::size_t channels, std::vector<double>& column,
                  Complex* power) {
@@ -87,15 +76,14 @@ void add_product(const ByWheel& a, const ByWheel& b, std::size_t channels, std::
 }  // namespace
 
 void add_as_they_are(const pem::WheelTransfers& transfers, const std::vector<pem::DelayedSpectrum>& sources,
-                     const std::vector<double>& wheels, double speed, double bin_hz, const SpeedMixture* speeds,
-                     ExpectedSpectra& expected) {
+                     const std::vector<double>& wheels, double speed, double bin_hz, ExpectedSpectra& expected) {
     const std::size_t bins = expected.bins(), channels = expected.channels;
     if (sources.empty()) return;
     const FineGrid at_bins{bin_hz, expected.first_bin, bins};
     const std::vector<Met> met = met_together(sources, at_bins);
     DelayPhases delays(wheels, speed, at_bins);
     std::vector<Complex> at(channels * 4);
-    ByWheel transfer(channels), turned(channels), times_met(channels);
+    ByWheel transfer(channels), times_met(channels);
     std::vector<double> column(2 * transfer.stride);
     for (std::size_t b = 0; b < bins; ++b) {
         pem::interpolate(transfers, at_bins.frequency(b), at.data());
@@ -106,19 +94,8 @@ void add_as_they_are(const pem::WheelTransfers& transfers, const std::vector<pem
                 transfer.re[j * transfer.stride + c] = t.real() * delay[j].real() - t.imag() * delay[j].imag();
                 transfer.im[j * transfer.stride + c] = t.real() * delay[j].imag() + t.imag() * delay[j].real();
             }
-        Complex* power = expected.values.data() + b * channels * channels;
-        if (!speeds) {
-            multiply(transfer, met[b], times_met);
-            add_product(times_met, transfer, channels, column, power);
-            continue;
-        }
-        // Wheels that meet it at several speeds are coherent by the factor's products alone.
-        const WheelCoherence factor = wheel_coherence(*speeds, wheels, speed, at_bins.frequency(b), 0.0);
-        for (std::size_t rank = 0; rank < 4; ++rank) {
-            turn(transfer, factor, rank, turned);
-            multiply(turned, met[b], times_met);
-            add_product(times_met, turned, channels, column, power);
-        }
+        multiply(transfer, met[b], times_met);
+        add_product(times_met, transfer, channels, column, expected.values.data() + b * channels * channels);
     }
 }
 
@@ -130,7 +107,7 @@ void add_wheels_own(const pem::CaseParameters& parameters, const pem::WheelTrans
             .psd_m2_per_hz = [&](double f) { return parameters.modifiers.wheels_own.at(f) * source.psd_m2_per_hz(f); },
             .share = {}});
     for (std::size_t wheel = 0; wheel < 4; ++wheel) own[wheel].share[wheel] = 1.0;
-    add_as_they_are(transfers, own, wheels, speed, bin_hz, nullptr, expected);  // nothing between wheels
+    add_as_they_are(transfers, own, wheels, speed, bin_hz, expected);
 }
 
 }  // namespace railpem::diagnosis

@@ -12,7 +12,7 @@ namespace railpem::diagnosis {
 /// power·share·shareᵀ)·Tᴴ, so that the number of sources hardly counts.
 void add_as_they_are(const pem::WheelTransfers& transfers, const std::vector<pem::DelayedSpectrum>& sources,
                      const std::vector<double>& wheels_m, double speed_m_per_s, double bin_hz,
-                     const SpeedMixture* speeds, ExpectedSpectra& expected);
+                     ExpectedSpectra& expected);
 
 /// Adds what each wheel meets by itself (Modifiers::wheels_own) of a source: a local matter at every frequency,
 /// without delays.

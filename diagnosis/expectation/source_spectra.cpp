@@ -105,14 +105,36 @@ std::vector<double> powers_at_lines(const pem::DelayedSpectrum& source, const Fi
     return power;
 }
 
+std::vector<double> powers_at_lines(const pem::DelayedSpectrum& source, const FineGrid& grid,
+                                    const SpeedMixture* speeds) {
+    if (!speeds) return powers_at_lines(source, grid);
+    const double last = static_cast<double>(grid.first + grid.count);
+    const auto below = static_cast<std::size_t>(std::ceil(std::max(0.0, -speeds->least()) * last)) + 1,
+               above = static_cast<std::size_t>(std::ceil(std::max(0.0, speeds->most()) * last)) + 2;
+    const std::size_t reach = std::min(below, grid.first - 1);  // 0 Hz has no wavelength
+    const std::vector<double> at_lines =
+        powers_at_lines(source, FineGrid{grid.step_hz, grid.first - reach, grid.count + reach + above});
+    std::vector<double> power(grid.count, 0.0);
+    for (const double deviation : speeds->nodes())
+        for (std::size_t i = 0; i < grid.count; ++i) {
+            const double place =
+                static_cast<double>(grid.first + i) * (1.0 + deviation) - static_cast<double>(grid.first - reach);
+            if (place < 0.0) continue;
+            const auto line = static_cast<std::size_t>(place);
+            const double share = place - static_cast<double>(line);
+            power[i] += (1.0 + deviation) * ((1.0 - share) * at_lines[line] + share * at_lines[line + 1]) /
+                        static_cast<double>(speeds->nodes().size());
+        }
+    return power;
+}
+
 MetPowers met_powers(const pem::CaseParameters& parameters, const pem::DelayedSpectrum& irregularity, double speed,
                      const FineGrid& grid, const MetPowers* known, const SpeedMixture* speeds) {
     const double patch = parameters.contact.patch_half_length_m;
     if (known && known->at_lines.size() == grid.count && known->speed_m_per_s == speed &&
         known->patch_half_length_m == patch && known->irregularity == parameters.irregularity)
         return *known;
-    return {parameters.irregularity, patch, speed,
-            powers_at_lines(speeds ? over_speeds(irregularity, *speeds) : irregularity, grid)};
+    return {parameters.irregularity, patch, speed, powers_at_lines(irregularity, grid, speeds)};
 }
 
 std::vector<Complex> fine_responses(const pem::WheelTransfers& transfers, const pem::DelayedSpectrum& source,
@@ -147,16 +169,6 @@ std::vector<Complex> fine_responses(const pem::WheelTransfers& transfers, const 
     return y;
 }
 
-pem::DelayedSpectrum over_speeds(const pem::DelayedSpectrum& source, const SpeedMixture& mixture) {
-    pem::DelayedSpectrum own = source;
-    own.psd_m2_per_hz = [spectrum = source.psd_m2_per_hz, nodes = mixture.nodes()](double f) {
-        double sum = 0.0;
-        for (const double deviation : nodes) sum += (1.0 + deviation) * spectrum(f * (1.0 + deviation));
-        return sum / static_cast<double>(nodes.size());
-    };
-    return own;
-}
-
 pem::WheelTransfers with_what_comes_back(const pem::WheelTransfers& transfers, const pem::FeltOrder& own) {
     pem::WheelTransfers result = transfers;
     const std::size_t channels = transfers.responses.size();
@@ -173,7 +185,7 @@ pem::WheelTransfers with_what_comes_back(const pem::WheelTransfers& transfers, c
 
 void for_each_felt(const pem::WheelTransfers& transfers, const std::vector<pem::FeltOrder>& felt,
                    const pem::DelayedSpectrum& source, const std::vector<double>& wheels, double speed, double bin_hz,
-                   const ExpectedSpectra& expected, const SpeedMixture* speeds,
+                   const ExpectedSpectra& expected,
                    const std::function<void(std::size_t, double, const std::vector<Complex>&)>& take) {
     const std::size_t size = expected.channels;
     std::vector<Complex> at(size * 4), y(size);
@@ -182,25 +194,18 @@ void for_each_felt(const pem::WheelTransfers& transfers, const std::vector<pem::
         pem::interpolate(transfers, f, at.data());
         for (std::size_t order = 1; order < felt.size(); ++order) {
             const std::array<Complex, 4> e = pem::felt_irregularity(felt, order, source, wheels, speed, f);
-            const double from = std::abs(f - felt[order].shift_hz);
-            WheelCoherence factor{};
-            for (std::size_t j = 0; j < 4; ++j) factor[j][0] = 1.0;
-            if (speeds) factor = wheel_coherence(*speeds, wheels, speed, from, 0.0);
-            for (std::size_t r = 0; r < (speeds ? 4 : 1); ++r) {
-                for (std::size_t c = 0; c < size; ++c)
-                    y[c] = at[c * 4] * (e[0] * factor[0][r]) + at[c * 4 + 1] * (e[1] * factor[1][r]) +
-                           at[c * 4 + 2] * (e[2] * factor[2][r]) + at[c * 4 + 3] * (e[3] * factor[3][r]);
-                take(b, from, y);
-            }
+            for (std::size_t c = 0; c < size; ++c)
+                y[c] = at[c * 4] * e[0] + at[c * 4 + 1] * e[1] + at[c * 4 + 2] * e[2] + at[c * 4 + 3] * e[3];
+            take(b, std::abs(f - felt[order].shift_hz), y);
         }
     }
 }
 
 void add_felt(const pem::WheelTransfers& transfers, const std::vector<pem::FeltOrder>& felt,
               const pem::DelayedSpectrum& source, const std::vector<double>& wheels, double speed, double bin_hz,
-              const SpeedMixture* speeds, ExpectedSpectra& expected) {
+              ExpectedSpectra& expected) {
     const std::size_t size = expected.channels;
-    for_each_felt(transfers, felt, source, wheels, speed, bin_hz, expected, speeds,
+    for_each_felt(transfers, felt, source, wheels, speed, bin_hz, expected,
                   [&](std::size_t b, double, const std::vector<Complex>& y) {
                       add_outer_product(y, expected.values.data() + b * size * size);
                   });

@@ -25,8 +25,10 @@ MetPowers met_powers(const pem::CaseParameters& parameters, const pem::DelayedSp
                      double speed_m_per_s, const FineGrid& grid, const MetPowers* known,
                      const SpeedMixture* speeds = nullptr);
 
-/// The source as windows of several speeds meet it: S(f·(1 + δ))·(1 + δ), mean over the deviations δ of their slowness.
-pem::DelayedSpectrum over_speeds(const pem::DelayedSpectrum& source, const SpeedMixture& mixture);
+/// The same as windows of several speeds meet it: S(f·(1 + δ))·(1 + δ), mean over the deviations δ of their slowness;
+/// between the lines S is linear. `speeds`: none is one speed.
+std::vector<double> powers_at_lines(const pem::DelayedSpectrum& source, const FineGrid& grid,
+                                    const SpeedMixture* speeds);
 
 /// Pseudo-responses of one broadband source on the fine grid: [rank][channel][fine line]. `power`: of the source at its
 /// lines, powers_at_lines(). One rank at one speed; four where `speeds` differ, whose products add up.
@@ -39,19 +41,20 @@ std::vector<std::complex<double>> fine_responses(const pem::WheelTransfers& tran
 /// (the first of pem::felt_orders()).
 pem::WheelTransfers with_what_comes_back(const pem::WheelTransfers& transfers, const pem::FeltOrder& own);
 
-/// What the supports pass on of a source's forces to other frequencies, as faint: all but the first of
+/// What the supports pass on of a source's forces to other frequencies, as faint (as at one speed: it is 29 to 40 dB
+/// below the rest): all but the first of
 /// pem::felt_orders(). `take` gets the bin (counted from the first of `expected`), the frequency of the source that it
 /// is of, and the response of every channel.
 void for_each_felt(const pem::WheelTransfers& transfers, const std::vector<pem::FeltOrder>& felt,
                    const pem::DelayedSpectrum& source, const std::vector<double>& wheels_m, double speed_m_per_s,
-                   double bin_hz, const ExpectedSpectra& expected, const SpeedMixture* speeds,
+                   double bin_hz, const ExpectedSpectra& expected,
                    const std::function<void(std::size_t bin, double from_hz,
                                             const std::vector<std::complex<double>>& response)>& take);
 
 /// Adds all of it.
 void add_felt(const pem::WheelTransfers& transfers, const std::vector<pem::FeltOrder>& felt,
               const pem::DelayedSpectrum& source, const std::vector<double>& wheels_m, double speed_m_per_s,
-              double bin_hz, const SpeedMixture* speeds, ExpectedSpectra& expected);
+              double bin_hz, ExpectedSpectra& expected);
 
 /// Adds the lines of a set: each a Gaussian of the speed's fluctuation, smoothed by the kernel (five-point
 /// Gauss–Hermite rule).

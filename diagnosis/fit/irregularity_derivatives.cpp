@@ -51,13 +51,14 @@ struct Given {
     FineGrid grid;
     std::vector<double> power;  ///< at every line
     Values responses;           ///< [rank][channel][line]
+    bool of_many_speeds = false;
 };
 
 /// A weight at a fine line. Where a band begins or ends within the line's cell, the line's power is the mean over the
 /// cell, and so is the weighted.
 double weight_at(const NodeWeight& weight, const Given& given, std::size_t line) {
     const double f = given.grid.frequency(line), own = weight(f), centre = given.source.psd_m2_per_hz(f);
-    if (given.power[line] == centre) return own;
+    if (given.of_many_speeds || given.power[line] == centre) return own;  // no edge is sharp at many speeds
     const pem::DelayedSpectrum weighted{
         .name = {}, .psd_m2_per_hz = [&](double g) { return weight(g) * given.source.psd_m2_per_hz(g); }};
     return power_over_cell(weighted, f, given.grid.step_hz, own * centre) / given.power[line];
@@ -123,10 +124,10 @@ std::vector<Values> irregularity_derivatives(const Trial& trial, const std::vect
                                                  : options.weights;
     const std::vector<double> at_lines =
         met_powers(parameters, irregularity, speed, grid, &known.powers, options.speeds.get()).at_lines;
-    const pem::DelayedSpectrum met = options.speeds ? over_speeds(irregularity, *options.speeds) : irregularity;
     const Given given{
-        met, grid, at_lines,
-        fine_responses(known.of_irregularity, irregularity, at_lines, wheels, speed, grid, options.speeds.get())};
+        irregularity, grid, at_lines,
+        fine_responses(known.of_irregularity, irregularity, at_lines, wheels, speed, grid, options.speeds.get()),
+        options.speeds != nullptr};
     std::vector<NodeWeight> weights;
     std::vector<Values> result;
     for (const Unknown* unknown : unknowns) {
@@ -144,8 +145,7 @@ std::vector<Values> irregularity_derivatives(const Trial& trial, const std::vect
                     power[j * size + i] += weight * response[i] * std::conj(response[j]);
         }
     };
-    for_each_felt(known.transfers, known.felt, irregularity, wheels, speed, observation.kernel.bin_hz(), at,
-                  options.speeds.get(), add);
+    for_each_felt(known.transfers, known.felt, irregularity, wheels, speed, observation.kernel.bin_hz(), at, add);
     for (Values& values : result) scale_channels(trial.log_gain[o], values);
     return result;
 }
