@@ -41,6 +41,21 @@ struct ExpectationSettings {
     /// halvings of a cell in search of an edge. Derived: 2^−50 of a cell is what rounding leaves
     int edge_halvings = 50;
 
+    // A speed that changes.
+
+    /// speeds of equal weight over which powers and lines are means. Derived: neighbours of a spread of one per cent
+    /// are less than a bin apart below 500 Hz
+    std::size_t speed_nodes = 24;
+    /// s, between the times at which the speed of a record counts. Derived: a train changes it by 3e-4 meanwhile
+    double speed_step_s = 0.1;
+    /// factor and Hz beyond the band, to which the coherence of wheels is tabulated: fine lines reach beyond it, and a
+    /// fit moves the speed. Derived from the kernel's reach and from the bound of a speed
+    double coherence_reach = 1.3, coherence_reach_hz = 5.0;
+    /// relative reach of frequency over which the slope of the irregularity's power is taken. Chosen; not calibrated
+    double slope_reach = 0.03;
+    /// bound of that slope, both ways: beyond is an edge of a band, which no power law describes. Chosen
+    double steepest_slope = 8.0;
+
     // Channels.
 
     /// m: a sensor on the body counts as over the pivot or at the centre within this. Chosen; not calibrated

@@ -35,12 +35,13 @@ bool differ(double a, double b, double ratio) {
 
 /// d ln P/d ln f at a line, over a few per cent of its frequency; 0 where there is no power.
 double slope_at(const std::vector<double>& power, const FineGrid& grid, std::size_t line) {
-    constexpr double kReach = 0.03, kSteepest = 8.0;  // beyond is an edge of a band, which no power law describes
-    const auto reach = static_cast<std::size_t>(1.0 + kReach * grid.frequency(line) / grid.step_hz);
+    const double steepest = kExpectationSettings.steepest_slope;
+    const auto reach =
+        static_cast<std::size_t>(1.0 + kExpectationSettings.slope_reach * grid.frequency(line) / grid.step_hz);
     const std::size_t low = line > reach ? line - reach : 0, high = std::min(line + reach, grid.count - 1);
     if (low == high || power[low] <= 0.0 || power[high] <= 0.0) return 0.0;
     return std::clamp(std::log(power[high] / power[low]) / std::log(grid.frequency(high) / grid.frequency(low)),
-                      -kSteepest, kSteepest);
+                      -steepest, steepest);
 }
 
 /// Two complex numbers.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "diagnosis/expectation/expectation_settings.hpp"
 #include "recordings/estimates/window.hpp"
 
 namespace railpem::diagnosis {
@@ -12,11 +13,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr double kTwoPi = 2.0 * std::numbers::pi;
-constexpr std::size_t kNodes = 24;  ///< powers and lines are means over so many speeds
-constexpr double kTimeStep_s = 0.1;
-
-/// Deviations of the slowness and their weights, every kTimeStep_s of the record.
+/// Deviations of the slowness and their weights, every speed_step_s of the record.
 struct Spread {
     std::vector<double> deviation, weight;
 };
@@ -28,8 +25,9 @@ Spread spread_over(const recordings::TrackPath& path, const recordings::Segmenta
     const double length_s = static_cast<double>(segments.length) / rate,
                  hop_s = static_cast<double>(segments.hop) / rate;
     const double end_s = length_s + hop_s * static_cast<double>(segments.count - 1);
+    const double step_s = kExpectationSettings.speed_step_s;
     Spread spread;
-    for (double t = 0.5 * kTimeStep_s; t < end_s; t += kTimeStep_s) {
+    for (double t = 0.5 * step_s; t < end_s; t += step_s) {
         double weight = 0.0;
         const auto last = std::min(static_cast<long>(segments.count) - 1, static_cast<long>(t / hop_s));
         for (long k = std::max(0L, static_cast<long>((t - length_s) / hop_s)); k <= last; ++k) {
@@ -55,23 +53,24 @@ void normalise(Spread& spread, double error) {
     for (double& d : spread.deviation) d = mean + kept * (d - mean);
 }
 
-/// Middles of kNodes parts of equal weight.
+/// Middles of speed_nodes parts of equal weight.
 std::vector<double> quantiles(const Spread& spread) {
     std::vector<std::size_t> order(spread.deviation.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
     std::sort(order.begin(), order.end(),
               [&](std::size_t a, std::size_t b) { return spread.deviation[a] < spread.deviation[b]; });
-    std::vector<double> sum(kNodes, 0.0), weight(kNodes, 0.0);
+    const std::size_t count = kExpectationSettings.speed_nodes;
+    std::vector<double> sum(count, 0.0), weight(count, 0.0);
     double before = 0.0;
     for (const std::size_t i : order) {
         const double middle = before + 0.5 * spread.weight[i];
-        const auto node = std::min(kNodes - 1, static_cast<std::size_t>(middle * kNodes));
+        const auto node = std::min(count - 1, static_cast<std::size_t>(middle * static_cast<double>(count)));
         sum[node] += spread.weight[i] * spread.deviation[i];
         weight[node] += spread.weight[i];
         before += spread.weight[i];
     }
     std::vector<double> nodes;
-    for (std::size_t n = 0; n < kNodes; ++n)
+    for (std::size_t n = 0; n < count; ++n)
         nodes.push_back(weight[n] > 0.0 ? sum[n] / weight[n]
                         : nodes.empty() ? spread.deviation[order.front()]
                                         : nodes.back());
@@ -87,13 +86,13 @@ SpeedMixture::SpeedMixture(const recordings::TrackPath& path, const recordings::
     nodes_ = quantiles(spread);
     // Cubic interpolation between phases that differ by a tenth of a radian at most is right to 1e-7.
     const double farthest = std::max({std::abs(least()), std::abs(most()), 1e-6});
-    step_ = std::min(most_cycles, 0.1 / (kTwoPi * farthest));
+    step_ = std::min(most_cycles, 0.1 / (2.0 * std::numbers::pi * farthest));
     const auto count = static_cast<std::size_t>(std::ceil(most_cycles / step_)) + 4;
     for (std::size_t k = 0; k < count; ++k) {
         const double x = step_ * (static_cast<double>(k) - 1.0);
         std::array<Complex, 2> value{};
         for (std::size_t i = 0; i < spread.weight.size(); ++i) {
-            const Complex own = spread.weight[i] * std::polar(1.0, -kTwoPi * x * spread.deviation[i]);
+            const Complex own = spread.weight[i] * std::polar(1.0, -2.0 * std::numbers::pi * x * spread.deviation[i]);
             value[0] += own;
             value[1] += spread.deviation[i] * own;
         }

@@ -68,8 +68,8 @@ std::optional<recordings::RunningSpeed> changing_speed(const recordings::TimeSer
 double most_cycles(const pem::CaseParameters& believed, double high_hz, double speed) {
     const std::vector<double> wheels = vehicle::wheel_positions(believed.vehicle);
     const auto [rear, front] = std::minmax_element(wheels.begin(), wheels.end());
-    constexpr double kSpare = 1.3;  // fine lines reach beyond the band, and a fit moves the speed
-    return kSpare * (high_hz + 5.0) * (*front - *rear) / speed;
+    return kExpectationSettings.coherence_reach * (high_hz + kExpectationSettings.coherence_reach_hz) *
+           (*front - *rear) / speed;
 }
 
 /// Spectra of all parts of a recording in windows of one length. `running`: its speed, where that changes.

@@ -43,7 +43,7 @@ Squares of_draws(double by_db) {
     for (int seed = 0; seed < kLevelDraws; ++seed) {
         made.draw(static_cast<std::uint64_t>(seed));
         const Fit fit = too_low(made, by_db);
-        mean.repeated += std::pow(repeated_level_db(fit, made.observations), 2) / kLevelDraws;
+        mean.repeated += std::pow(repeated_level_db(fit, made.context(Part::fitted, 1)), 2) / kLevelDraws;
         mean.parts += rms_of(fit, made, Part::fitted) * rms_of(fit, made, Part::held_out) / kLevelDraws;
     }
     return mean;
@@ -67,7 +67,8 @@ TEST(RepeatedLevels, AreThoseThatAreOff) {
 }
 
 TEST(RepeatedLevels, AreNoneWithoutTimeSeries) {
-    EXPECT_EQ(repeated_level_db({}, {}), 0.0);
+    const std::vector<Observation> none;
+    EXPECT_EQ(repeated_level_db({}, {.observations = &none}), 0.0);
 }
 
 }  // namespace
