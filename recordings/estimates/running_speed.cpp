@@ -107,13 +107,46 @@ std::vector<std::size_t> best_path(const std::vector<std::vector<double>>& score
     return path;
 }
 
+/// Means over Hann weights that reach half a window to either side: what is faster no window can tell.
+std::vector<double> smoothed(const std::vector<double>& values, const RunningSpeedOptions& options) {
+    const auto reach = static_cast<long>(0.5 * options.window_s / options.hop_s);
+    std::vector<double> smooth;
+    for (long i = 0; i < static_cast<long>(values.size()); ++i) {
+        double sum = 0.0, weights = 0.0;
+        for (long k = std::max(0L, i - reach); k <= std::min(i + reach, static_cast<long>(values.size()) - 1); ++k) {
+            const double own =
+                0.5 + 0.5 * std::cos(std::numbers::pi * static_cast<double>(k - i) / static_cast<double>(reach + 1));
+            sum += own * values[static_cast<std::size_t>(k)];
+            weights += own;
+        }
+        smooth.push_back(sum / weights);
+    }
+    return smooth;
+}
+
+/// The path through speeds at times, straight on to the ends of the record as over the window beside them.
+TrackPath path_through(std::vector<double> time, std::vector<double> speed, double end_s,
+                       const RunningSpeedOptions& options) {
+    const auto reach = std::min(time.size() - 1, static_cast<std::size_t>(options.window_s / options.hop_s));
+    if (reach > 0) {
+        const std::size_t last = time.size() - 1;
+        const double begin = (speed[reach] - speed[0]) / (time[reach] - time[0]),
+                     end = (speed[last] - speed[last - reach]) / (time[last] - time[last - reach]);
+        time.push_back(end_s);
+        speed.push_back(std::max(0.5 * speed[last], speed[last] + end * (end_s - time[last])));
+        speed.insert(speed.begin(), std::max(0.5 * speed[0], speed[0] - begin * time[0]));
+        time.insert(time.begin(), 0.0);
+    }
+    return track_path(time, speed, options.hop_s, end_s);
+}
+
 /// First look: which speed each window has, to the grid's step.
 TrackPath first_path(const std::vector<std::vector<double>>& samples, const std::vector<SpeedPair>& pairs, double rate,
                      double expected, const RunningSpeedOptions& options) {
     constexpr double kStep = 0.004;  // relative: a quarter of what 90 Hz resolve over 18 m at 25 m/s
     SpeedGrid grid{.least = expected * (1.0 - options.search), .ratio = 1.0 + kStep};
     grid.count = static_cast<std::size_t>(std::log((1.0 + options.search) / (1.0 - options.search)) / kStep) + 1;
-    const auto length = static_cast<std::size_t>(options.window_s * rate),
+    const auto length = static_cast<std::size_t>(options.first_window_s * rate),
                hop = static_cast<std::size_t>(options.hop_s * rate);
     std::vector<std::vector<double>> score;
     for (std::size_t begin = 0; begin + length <= samples.front().size(); begin += hop) {
@@ -131,7 +164,7 @@ TrackPath first_path(const std::vector<std::vector<double>>& samples, const std:
         time.push_back((static_cast<double>(w * hop) + 0.5 * static_cast<double>(length)) / rate +
                        0.5 * pairs.front().distance_m() / speed.back());
     }
-    return track_path(time, speed, options.hop_s, static_cast<double>(samples.front().size()) / rate);
+    return path_through(time, smoothed(speed, options), static_cast<double>(samples.front().size()) / rate, options);
 }
 
 /// A channel at a time between its samples: the cubic through the four nearest (Catmull & Rom 1974); 0 outside.
@@ -247,7 +280,7 @@ RunningSpeed refined(const std::vector<std::vector<double>>& samples, const std:
     }
     std::size_t windows = laid.front().size();
     for (const std::vector<LaidWindow>& own : laid) windows = std::min(windows, own.size());
-    std::vector<double> time, speed;
+    std::vector<double> time, errors;
     double scatter = 0.0, explained = 0.0, total = 0.0;
     for (const std::vector<double>& own : weights)
         for (const double weight : own) total += weight * static_cast<double>(windows);
@@ -271,11 +304,14 @@ RunningSpeed refined(const std::vector<std::vector<double>>& samples, const std:
             scatter += own * own / static_cast<double>((pairs.size() - 1) * pairs.size());
         }
         time.push_back(when);
-        speed.push_back(path.speed_at(when) * (1.0 + error));
+        errors.push_back(error);
     }
+    errors = smoothed(errors, options);
+    std::vector<double> speed;
+    for (std::size_t w = 0; w < windows; ++w) speed.push_back(path.speed_at(time[w]) * (1.0 + errors[w]));
     constexpr double kSinglePair = 2e-5;  // what two bogies alone scatter by at constant speed
     const double end_s = path.step_s * static_cast<double>(path.speed_m_per_s.size() - 1);
-    return {.path = track_path(time, speed, options.hop_s, end_s),
+    return {.path = path_through(time, speed, end_s, options),
             .relative_error = pairs.size() < 2 ? kSinglePair : std::sqrt(scatter / static_cast<double>(windows)),
             .agreement = total > 0.0 ? explained / total : 0.0,
             .pairs = pairs.size()};
@@ -291,7 +327,7 @@ std::optional<RunningSpeed> running_speed(const TimeSeries& series, const Vehicl
     const double rate = series.sampling_rate_hz;
     RunningSpeed running{.path = first_path(samples, pairs, rate, expected, options)};
     double range = 0.012;  // three steps of the first look
-    for (int i = 0; i < options.refinements; ++i, range *= 0.5)
+    for (int i = 0; i < options.refinements; ++i, range = std::max(0.5 * range, 1e-3))
         running = refined(samples, pairs, running.path, rate, range, options);
     return running;
 }

@@ -24,12 +24,13 @@ struct RunningSpeed {
 struct RunningSpeedOptions {
     double window_s = 4.0;
     double hop_s = 0.5;
-    double from_hz = 5.0;  ///< below, body and bogies move as one and carry no delay
-    double to_hz = 90.0;   ///< above, wheels of one bogie hear each other through the rail
-    double search = 0.5;   ///< relative range about the expected speed in which the first look searches
+    double first_window_s = 1.5;  ///< of the first look, in which a train that speeds up must not change its delays
+    double from_hz = 5.0;         ///< below, body and bogies move as one and carry no delay
+    double to_hz = 90.0;          ///< above, wheels of one bogie hear each other through the rail
+    double search = 0.5;          ///< relative range about the expected speed in which the first look searches
     /// m/s², the most that a train speeds up or brakes: neighbouring windows differ by no more
     double most_acceleration = 1.0;
-    int refinements = 4;  ///< each aligns the channels by the path found so far, and reads what is left
+    int refinements = 8;  ///< each aligns the channels by the path found so far, and reads what is left
 };
 
 /// From pairs of axle boxes, or of bogies, that stand at least half of the longest distance apart. First each window's

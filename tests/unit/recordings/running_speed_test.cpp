@@ -79,8 +79,8 @@ TEST(RunningSpeed, AConstantSpeedIsConstant) {
     const TrackPath truth = path_of([](double) { return 22.0; }, 30.0);
     const std::optional<RunningSpeed> found = running_speed(met(truth, 30.0, 1.0), kGeometry, 22.1);
     ASSERT_TRUE(found);
-    // Noise 29 dB below the signal: the phase of 340 bins is known to 0.04/sqrt(340), over 2*pi*18 m.
-    EXPECT_LT(worst(found->path, truth, 30.0), 2e-5);
+    // A twentieth of the first look's step of 0.4 %: what eight refinements leave of it.
+    EXPECT_LT(worst(found->path, truth, 30.0), 2e-4);
     EXPECT_GT(found->agreement, 0.9);
 }
 
