@@ -222,16 +222,13 @@ std::vector<LaidWindow> laid_windows(const std::vector<double>& front, const std
     return laid;
 }
 
-/// Weight of every wave of a pair: the coherence of its phases over all windows, each turned by what is known of it.
-std::vector<double> wave_weights(const std::vector<LaidWindow>& windows, double distance_m,
-                                 const std::vector<double>& error) {
+/// Weight of every wave of a pair: the coherence of its phases over all windows.
+std::vector<double> wave_weights(const std::vector<LaidWindow>& windows) {
     constexpr double kMost = 0.95;  // beyond, the ripple of the phase limits, not its noise (estimate_delay())
     std::vector<double> weights(windows.front().cross.size(), 0.0);
     for (std::size_t k = 0; k < weights.size(); ++k) {
         Complex sum = 0.0;
-        for (std::size_t w = 0; w < windows.size(); ++w)
-            sum += windows[w].cross[k] *
-                   std::polar(1.0, -kTwoPi * static_cast<double>(k) * windows[w].wave_step * distance_m * error[w]);
+        for (const LaidWindow& window : windows) sum += window.cross[k];
         const double mean = std::min(kMost, std::abs(sum) / static_cast<double>(windows.size())),
                      coherence = mean * mean;
         weights[k] = coherence / (1.0 - coherence);
@@ -276,7 +273,7 @@ RunningSpeed refined(const std::vector<std::vector<double>>& samples, const std:
     for (const SpeedPair& pair : pairs) {
         laid.push_back(laid_windows(samples[pair.front], samples[pair.rear], pair, path, rate, options));
         if (laid.back().empty()) return {path};
-        weights.push_back(wave_weights(laid.back(), pair.distance_m(), std::vector<double>(laid.back().size(), 0.0)));
+        weights.push_back(wave_weights(laid.back()));
     }
     std::size_t windows = laid.front().size();
     for (const std::vector<LaidWindow>& own : laid) windows = std::min(windows, own.size());
