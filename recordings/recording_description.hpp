@@ -21,6 +21,7 @@ struct ChannelDescription {
     std::string unit;           ///< empty: the SI unit of the quantity
     double scale_factor = 1.0;  ///< number in the file × scale_factor = value in `unit`
     Scale scale = Scale::known;
+    double gain_standard_error = 0.01;  ///< relative, of the sensor's calibration; 0: exact
     Location location = Location::none;
     int index = 0;  ///< wheel 1…4, bogie 1…2, rail: under wheel n; 0 for the body
     Side side = Side::unstated;

@@ -49,6 +49,8 @@ Fields<ChannelDescription> channel_fields() {
             &C::scale_factor, "scale_factor", "1", any_number(),
             "the number in the file times this is the value in the unit (for instance the full scale of a WAV file)"),
         choice(&C::scale, "scale", {"known", "unknown"}, "unknown: the unit cannot be trusted, levels say nothing"),
+        number(&C::gain_standard_error, "gain_standard_error", "1", between(0.0, 0.5),
+               "relative standard error of the sensor's calibration; 0: exact"),
         choice(&C::location, "location", {"none", "body", "bogie", "wheel", "rail"},
                "where the sensor sits; wheel is the axle box"),
         integer(&C::index, "index", between(1, 4),

@@ -8,6 +8,7 @@
 
 #include "diagnosis/findings/decay_rate_reference.hpp"
 #include "diagnosis/findings/fit_figures.hpp"
+#include "diagnosis/findings/imperfections.hpp"
 #include "diagnosis/findings/inferred_curve.hpp"
 #include "diagnosis/findings/rivals.hpp"
 #include "diagnosis/findings/statement.hpp"
@@ -57,6 +58,7 @@ class WritingUp {
         report_recordings();
         report_basis();
         const Fit& diagnosed = names ? named_.fit : found_.retuned.fit;
+        result_.imperfections = imperfections(diagnosed, observations_);
         result_.diagnosed_numbers = diagnosed.trial.numbers;
         result_.diagnosed_numbers.decay_rate_reference =
             decay_rate_reference(diagnosed.trial, diagnosed.predictions, observations_);
@@ -78,7 +80,11 @@ class WritingUp {
         believed.noise_psd = naming_.retuned.fit.trial.noise_psd;
         believed.floor = naming_.retuned.fit.trial.floor;
         believed.discrepancy = naming_.retuned.fit.trial.discrepancy;
-        believed.log_gain = naming_.retuned.fit.trial.log_gain;
+        believed.numbers.modifiers.met_alone = naming_.retuned.fit.trial.numbers.modifiers.met_alone;
+        for (std::size_t o = 0; o < observations_.size(); ++o)
+            for (std::size_t c = 0; c < believed.log_gain[o].size(); ++c)
+                if (observations_[o].unknown_scale[c])
+                    believed.log_gain[o][c] = naming_.retuned.fit.trial.log_gain[o][c];
         const Predictions before = predict(believed, context_);
         const FittedSet& after = decision.named ? *decision.named : naming_.retuned;
         const FigureScale scale(after.fit, context_);
@@ -251,6 +257,7 @@ class WritingUp {
         for (std::size_t o = 0; o < observations_.size(); ++o) {
             const Observation& observation = observations_[o];
             UsedRecording used{.name = observation.name,
+                               .observed_speed = observation.observed_speed,
                                .stated_speed_m_per_s = observation.speed_m_per_s,
                                .payload_kg = observation.payload_kg,
                                .seconds = observation.all.seconds,

@@ -33,6 +33,20 @@ struct Beliefs {
     double measured_level_deviation = 1e-3;  ///< where nodes are measured: they carry the level. Derived
     double most_irregularity = 4.0;          ///< bound of nodes and level, both ways. Chosen; not calibrated
 
+    // What each wheel meets by itself, in the logarithm of its share of the irregularity's power: the contact line
+    // wanders, seats scatter.
+
+    double met_alone_nodes_per_octave = 1.0;  ///< over wavelength: broad. Chosen; not calibrated
+    /// a share of 1e-4, known to a factor of ten: coherences of wheels of a bogie are 0.9 at best on worn track, better
+    /// than what a minute can tell on new one. Chosen between both; not calibrated
+    double log_met_alone = -9.2, met_alone_deviation = 2.3;
+    /// bounds: nothing that shows, and a quarter of the power. Chosen
+    double log_least_met_alone = -21.0, log_most_met_alone = -1.4;
+
+    // A sensor's calibration, in log power; its deviation is stated.
+
+    double most_calibration = 2.0;  ///< bound, both ways. Chosen; not calibrated
+
     // Lines.
 
     double passing_deviation = 0.10;  ///< of the amplitude of sleeper passing. Chosen; not calibrated

@@ -61,6 +61,8 @@ Reuse shared_with(const Trial& trial, const Unknown& unknown) {
         case UnknownKind::correction:
             return shared_with_element(trial, unknown.element);
         case UnknownKind::gain:
+        case UnknownKind::calibration:
+        case UnknownKind::met_alone:
             return Reuse::transfers;
         default:
             return Reuse::nothing;
@@ -96,6 +98,10 @@ bool moves(const Unknown& unknown, const Trial& trial, const Observation& observ
         case UnknownKind::passing:
         case UnknownKind::width:
             return reaches(observation, Element::irregularity);
+        case UnknownKind::met_alone:
+            return !observation.scalar && reaches(observation, Element::irregularity);
+        case UnknownKind::calibration:
+            return channel_of(unknown, observation).has_value();
         case UnknownKind::effect: {
             const EffectInstance& instance = trial.effects[static_cast<std::size_t>(unknown.index)];
             return could_show(observation, *find_effect(instance.effect));

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <set>
 
 #include "diagnosis/observations/force_reference.hpp"
 #include "diagnosis/observations/measured_irregularity.hpp"
@@ -16,7 +17,7 @@ namespace railpem::diagnosis {
 
 namespace {
 
-std::vector<double> spline_wavelengths(const std::vector<Observation>& observations) {
+std::vector<double> spline_wavelengths(const std::vector<Observation>& observations, double nodes_per_octave) {
     double shortest = 1e300, longest = 0.0;
     for (const Observation& observation : observations) {
         if (!reaches(observation, Element::irregularity)) continue;
@@ -24,7 +25,7 @@ std::vector<double> spline_wavelengths(const std::vector<Observation>& observati
         longest = std::max(longest, observation.speed_m_per_s / observation.expectation.low_hz);
     }
     if (longest == 0.0) return {};
-    const int count = 1 + static_cast<int>(std::ceil(kBeliefs.nodes_per_octave * std::log2(longest / shortest)));
+    const int count = 1 + static_cast<int>(std::ceil(nodes_per_octave * std::log2(longest / shortest)));
     std::vector<double> nodes;
     for (int i = 0; i < count; ++i)
         nodes.push_back(shortest * std::pow(longest / shortest, static_cast<double>(i) / (count - 1)));
@@ -34,7 +35,7 @@ std::vector<double> spline_wavelengths(const std::vector<Observation>& observati
 /// The longest wave first belongs to spline nodes of increasing wavelength.
 void add_irregularity(const BelievedCase& believed, const std::vector<Observation>& observations,
                       std::vector<Unknown>& unknowns) {
-    const std::vector<double> nodes = spline_wavelengths(observations);
+    const std::vector<double> nodes = spline_wavelengths(observations, kBeliefs.nodes_per_octave);
     if (nodes.empty()) return;  // a track without a vehicle does not feel it
     const std::vector<NodeBelief> beliefs =
         node_beliefs(believed.numbers.irregularity, believed.measured_irregularity, nodes);
@@ -67,6 +68,58 @@ void add_irregularity(const BelievedCase& believed, const std::vector<Observatio
                         .set = [level = believed.numbers.irregularity.level_db](Trial& trial, double x) {
                             trial.numbers.irregularity.level_db = level + x * 10.0 / std::log(10.0);
                         }});
+}
+
+/// What wheels meet alone: only cross-spectra tell it from what they meet one after the other.
+void add_met_alone(const std::vector<Observation>& observations, std::vector<Unknown>& unknowns) {
+    const auto tells = [](const Observation& own) { return !own.scalar && reaches(own, Element::irregularity); };
+    if (std::none_of(observations.begin(), observations.end(), tells)) return;
+    const std::vector<double> nodes = spline_wavelengths(observations, kBeliefs.met_alone_nodes_per_octave);
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+        unknowns.push_back({.kind = UnknownKind::met_alone,
+                            .name = fmt::format("share met by each wheel alone at {:.2g} m", nodes[i]),
+                            .mean = kBeliefs.log_met_alone,
+                            .deviation = kBeliefs.met_alone_deviation,
+                            .low = kBeliefs.log_least_met_alone,
+                            .high = kBeliefs.log_most_met_alone,
+                            .step = kBeliefs.smooth_step,
+                            .index = static_cast<int>(i),
+                            .element = Element::irregularity,
+                            .set = [nodes, i](Trial& trial, double x) {
+                                spectra::LogSpline& own = trial.numbers.modifiers.met_alone;
+                                if (own.empty()) {
+                                    own.wavelength_m = nodes;
+                                    own.log_factor.assign(nodes.size(), kBeliefs.log_met_alone);
+                                }
+                                own.log_factor[i] = x;
+                            }});
+}
+
+/// One for every sensor, whatever recordings it stands in.
+void add_calibrations(const std::vector<Observation>& observations, std::vector<Unknown>& unknowns) {
+    std::set<std::string> known;
+    for (const Observation& observation : observations)
+        for (std::size_t c = 0; c < observation.calibration.size(); ++c) {
+            const std::string& channel = observation.channel_names[c];
+            if (observation.unknown_scale[c] || observation.calibration[c] == 0.0 || !known.insert(channel).second)
+                continue;
+            std::vector<std::pair<std::size_t, std::size_t>> places;
+            const Unknown own{.kind = UnknownKind::calibration,
+                              .name = "calibration of " + channel,
+                              .deviation = 2.0 * observation.calibration[c],  // of the power
+                              .low = -kBeliefs.most_calibration,
+                              .high = kBeliefs.most_calibration,
+                              .step = kBeliefs.smooth_step,
+                              .element = Element::sensor,
+                              .channel = channel};
+            for (std::size_t o = 0; o < observations.size(); ++o)
+                if (const std::optional<std::size_t> place = channel_of(own, observations[o]))
+                    places.emplace_back(o, *place);
+            unknowns.push_back(own);
+            unknowns.back().set = [places](Trial& trial, double x) {
+                for (const auto& [o, place] : places) trial.log_gain[o][place] = x;
+            };
+        }
 }
 
 /// The first guess of a channel's scale.
@@ -240,6 +293,8 @@ std::vector<Unknown> nuisance_unknowns(const BelievedCase& believed, const std::
                                 access.set(trial.numbers, number.key, number.value * std::exp(x));
                             }});
     add_irregularity(believed, observations, unknowns);
+    add_met_alone(observations, unknowns);
+    add_calibrations(observations, unknowns);
     const double passing = believed.numbers.sleeper_passing.amplitude_factor;
     if (passing > 0.0)
         unknowns.push_back({.kind = UnknownKind::passing,
@@ -255,6 +310,12 @@ std::vector<Unknown> nuisance_unknowns(const BelievedCase& believed, const std::
     add_recording(observations, unknowns);
     add_floor(observations, unknowns);
     return unknowns;
+}
+
+std::optional<std::size_t> channel_of(const Unknown& calibration, const Observation& observation) {
+    for (std::size_t c = 0; c < observation.calibration.size(); ++c)
+        if (!observation.unknown_scale[c] && observation.channel_names[c] == calibration.channel) return c;
+    return std::nullopt;
 }
 
 double to_coordinate(const EffectParameter& parameter, double value) {

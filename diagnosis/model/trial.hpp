@@ -2,6 +2,7 @@
 // One supposition about vehicle, track, excitation and sensors, and the unknowns that move it.
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,7 +24,7 @@ struct Trial {
     std::vector<std::vector<double>> noise_psd;  ///< per observation and channel
     /// per observation: relative deviation of a scalar value that the model class cannot say
     std::vector<double> discrepancy;
-    /// per observation and channel: of the power of one whose unit cannot be trusted
+    /// per observation and channel: of its power; of a sensor's calibration, or of one whose unit cannot be trusted
     std::vector<std::vector<double>> log_gain;
     /// Relative amplitude of what the model class cannot say, incoherent between channels: [group][node].
     std::vector<double> floor = std::vector<double>(static_cast<std::size_t>(kFloorGroups) * kFloorNodeCount, 0.0);
@@ -48,6 +49,8 @@ enum class UnknownKind {
     width,
     correction,
     gain,
+    calibration,
+    met_alone,
     speed,
     noise,
     floor,
@@ -67,6 +70,7 @@ struct Unknown {
     int index = 0;                      ///< noise: channel; floor: group·nodes + node; effect: place in Trial::effects
     Element element = Element::body;    ///< correction: where
     parameters::Nature nature = parameters::Nature::other;  ///< number: of what kind
+    std::string channel = {};                               ///< calibration: of which sensor
     std::function<void(Trial&, double)> set;
 };
 
@@ -76,8 +80,8 @@ pem::CaseParameters case_of(const Trial& trial, const BelievedCase& believed, co
 /// The believed case as a trial.
 Trial believed_trial(const BelievedCase& believed, const std::vector<Observation>& observations);
 
-/// Unknowns of retuning and nuisance: numbers within their tolerances, irregularity over wavelength, speeds, noise,
-/// floor.
+/// Unknowns of retuning and nuisance: numbers within their tolerances, irregularity over wavelength, what wheels meet
+/// alone, calibrations, speeds, noise, floor.
 std::vector<Unknown> nuisance_unknowns(const BelievedCase& believed, const std::vector<Observation>& observations);
 
 /// Unknowns of the instance `effect_index` of a trial's effects: its continuous parameters.
@@ -85,6 +89,10 @@ std::vector<Unknown> effect_unknowns(const EffectInstance& instance, std::size_t
 
 /// The parameter of an effect that an unknown is; null for every other unknown.
 const EffectParameter* parameter_of(const Unknown& unknown);
+
+/// The channel of an observation whose calibration an unknown is; none where it has no such sensor, or one whose unit
+/// cannot be trusted.
+std::optional<std::size_t> channel_of(const Unknown& calibration, const Observation& observation);
 
 /// Applies values to a trial.
 void set_values(Trial& trial, const std::vector<Unknown>& unknowns, const std::vector<double>& values);
