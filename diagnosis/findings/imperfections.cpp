@@ -51,17 +51,17 @@ double own_share(const Fit& fit, const Observation& observation, std::size_t o, 
     double own = 0.0, all = 0.0;
     for (std::size_t b = 0; b < predicted.bins(); ++b) {
         const double power = predicted.values[b * size * size + c * (size + 1)].real();
-        const double beside =
-            power * floors_at(fit.trial, observation.frequency(b), 0.0)[group] + fit.trial.noise_psd[o][c];
+        const double beside = power * floors_at(fit.trial, observation.frequency(b), 0.0)[group] +
+                              noise_at(fit.trial, o, c, observation.frequency(b));
         own += beside;
         all += power + beside;
     }
     return all > 0.0 ? own / all : 0.0;
 }
 
-std::string calibration_words(const Fit& fit, const std::string& channel) {
+std::string calibration_words(const Fit& fit, const std::string& channel, const std::string& recording) {
     std::size_t u = 0;
-    if (!fit.find("calibration of " + channel, &u)) return "";
+    if (!fit.find("calibration of " + channel + " in " + recording, &u)) return "";
     const double gain = 50.0 * fit.values[u], error = 50.0 * fit.deviation(u);  // of the amplitude, percent
     return fmt::format(" It reads {:.1f} % too {} (± {:.1f}).", std::abs(gain), gain < 0.0 ? "low" : "high", error);
 }
@@ -87,7 +87,7 @@ std::vector<Imperfection> imperfections(const Fit& fit, const std::vector<Observ
                 .low = share * std::exp(-reach),
                 .high = std::min(1.0, share * std::exp(reach)),
                 .says = fmt::format("{} of what {} records no other sensor shares.", percent_words(share), channel) +
-                        calibration_words(fit, channel)};
+                        calibration_words(fit, channel, observation.name)};
             const auto same = std::find_if(result.begin(), result.end(),
                                            [&](const Imperfection& one) { return one.channel == channel; });
             if (same == result.end())

@@ -78,6 +78,7 @@ class WritingUp {
     void report_figures(const Decision& decision) {
         Trial believed = believed_trial(believed_, observations_);
         believed.noise_psd = naming_.retuned.fit.trial.noise_psd;
+        believed.flicker_psd = naming_.retuned.fit.trial.flicker_psd;
         believed.floor = naming_.retuned.fit.trial.floor;
         believed.discrepancy = naming_.retuned.fit.trial.discrepancy;
         believed.numbers.modifiers.met_alone = naming_.retuned.fit.trial.numbers.modifiers.met_alone;

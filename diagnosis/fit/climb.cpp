@@ -16,7 +16,8 @@ namespace railpem::diagnosis {
 namespace {
 
 bool is_diagonal(const Unknown& unknown) {
-    return unknown.kind == UnknownKind::noise || unknown.kind == UnknownKind::floor;
+    return unknown.kind == UnknownKind::noise || unknown.kind == UnknownKind::flicker ||
+           unknown.kind == UnknownKind::floor;
 }
 
 /// The logarithm of a power that may be far below what shows: there its slope promises anything.

@@ -34,7 +34,7 @@ void difference(const Trial& trial, const std::vector<Unknown>& unknowns, const 
     const std::size_t o = static_cast<std::size_t>(own.observation), u = static_cast<std::size_t>(own.unknown);
     const Unknown& unknown = unknowns[u];
     if (unknown.kind == UnknownKind::calibration) {
-        own.values = calibration_derivative(predictions[o], *channel_of(unknown, (*context.observations)[o]));
+        own.values = calibration_derivative(predictions[o], static_cast<std::size_t>(unknown.index));
         return;
     }
     const double step = values[u] + unknown.step <= unknown.high ? unknown.step : -unknown.step;

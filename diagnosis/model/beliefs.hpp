@@ -62,6 +62,8 @@ struct Beliefs {
     double speed_step = 1e-8;        ///< chosen; not calibrated
     double noise_below_guess = 2.0;  ///< mean of a noise below its first guess, which is an upper one. Chosen
     double noise_deviation = 3.0;    ///< in log power: known to a factor of 20. Chosen; not calibrated
+    /// bound of what grows with 1/f, at 1 Hz, above the guess of the white part: a corner at half the band. Chosen
+    double flicker_high = 5.0;
     double noise_low = 30.0, noise_high = 3.0;  ///< bounds below and above the guess. Chosen; not calibrated
     double scale_deviation = 10.0;  ///< in log power, of a channel without a scale: as good as anything. Chosen
     double most_scale = 40.0;       ///< bound about the guess, both ways. Chosen; not calibrated

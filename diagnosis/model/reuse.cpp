@@ -87,6 +87,7 @@ bool moves(const Unknown& unknown, const Trial& trial, const Observation& observ
     if (unknown.observation >= 0 && unknown.observation != static_cast<int>(o)) return false;
     switch (unknown.kind) {
         case UnknownKind::noise:
+        case UnknownKind::flicker:
         case UnknownKind::floor:
         case UnknownKind::discrepancy:
             return false;
@@ -100,8 +101,6 @@ bool moves(const Unknown& unknown, const Trial& trial, const Observation& observ
             return reaches(observation, Element::irregularity);
         case UnknownKind::met_alone:
             return !observation.scalar && reaches(observation, Element::irregularity);
-        case UnknownKind::calibration:
-            return channel_of(unknown, observation).has_value();
         case UnknownKind::effect: {
             const EffectInstance& instance = trial.effects[static_cast<std::size_t>(unknown.index)];
             return could_show(observation, *find_effect(instance.effect));

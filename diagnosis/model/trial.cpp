@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <set>
 
 #include "diagnosis/observations/force_reference.hpp"
 #include "diagnosis/observations/measured_irregularity.hpp"
@@ -95,31 +94,22 @@ void add_met_alone(const std::vector<Observation>& observations, std::vector<Unk
                             }});
 }
 
-/// One for every sensor, whatever recordings it stands in.
-void add_calibrations(const std::vector<Observation>& observations, std::vector<Unknown>& unknowns) {
-    std::set<std::string> known;
-    for (const Observation& observation : observations)
-        for (std::size_t c = 0; c < observation.calibration.size(); ++c) {
-            const std::string& channel = observation.channel_names[c];
-            if (observation.unknown_scale[c] || observation.calibration[c] == 0.0 || !known.insert(channel).second)
-                continue;
-            std::vector<std::pair<std::size_t, std::size_t>> places;
-            const Unknown own{.kind = UnknownKind::calibration,
-                              .name = "calibration of " + channel,
-                              .deviation = 2.0 * observation.calibration[c],  // of the power
-                              .low = -kBeliefs.most_calibration,
-                              .high = kBeliefs.most_calibration,
-                              .step = kBeliefs.smooth_step,
-                              .element = Element::sensor,
-                              .channel = channel};
-            for (std::size_t o = 0; o < observations.size(); ++o)
-                if (const std::optional<std::size_t> place = channel_of(own, observations[o]))
-                    places.emplace_back(o, *place);
-            unknowns.push_back(own);
-            unknowns.back().set = [places](Trial& trial, double x) {
-                for (const auto& [o, place] : places) trial.log_gain[o][place] = x;
-            };
-        }
+/// The sensitivity of every sensor whose unit can be trusted. Of every recording by itself: it is fitted anew, and
+/// changes with the temperature.
+void add_calibrations(const Observation& observation, std::size_t o, std::vector<Unknown>& unknowns) {
+    for (std::size_t c = 0; c < observation.calibration.size(); ++c)
+        if (!observation.unknown_scale[c] && observation.calibration[c] > 0.0)
+            unknowns.push_back(
+                {.kind = UnknownKind::calibration,
+                 .name = fmt::format("calibration of {} in {}", observation.channel_names[c], observation.name),
+                 .deviation = 2.0 * observation.calibration[c],  // of the power
+                 .low = -kBeliefs.most_calibration,
+                 .high = kBeliefs.most_calibration,
+                 .step = kBeliefs.smooth_step,
+                 .observation = static_cast<int>(o),
+                 .index = static_cast<int>(c),
+                 .element = Element::sensor,
+                 .set = [o, c](Trial& trial, double x) { trial.log_gain[o][c] = x; }});
 }
 
 /// The first guess of a channel's scale.
@@ -181,11 +171,29 @@ void add_fluctuation(const BelievedCase& believed, const std::vector<Observation
                         }});
 }
 
+/// What a sensor's noise has beside its white part: it grows towards low frequencies with 1/f.
+void add_flicker(const Observation& observation, std::size_t o, std::vector<Unknown>& unknowns) {
+    for (std::size_t c = 0; c < observation.noise_psd.size(); ++c) {
+        const double guess = std::log(observation.noise_psd[c]);
+        unknowns.push_back(
+            {.kind = UnknownKind::flicker,
+             .name = fmt::format("1/f noise of {} in {}", observation.channel_names[c], observation.name),
+             .mean = guess - kBeliefs.noise_below_guess,
+             .deviation = kBeliefs.noise_deviation,
+             .low = guess - kBeliefs.noise_low,
+             .high = guess + kBeliefs.flicker_high,
+             .observation = static_cast<int>(o),
+             .index = static_cast<int>(c),
+             .set = [o, c](Trial& trial, double x) { trial.flicker_psd[o][c] = std::exp(x); }});
+    }
+}
+
 void add_recording(const std::vector<Observation>& observations, std::vector<Unknown>& unknowns) {
     for (std::size_t o = 0; o < observations.size(); ++o) {
         const Observation& observation = observations[o];
         if (observation.scalar) add_discrepancy(observations, o, unknowns);
         add_scales(observation, o, unknowns);
+        add_calibrations(observation, o, unknowns);
         if (!reaches(observation, Element::irregularity)) continue;
         const double speed = observation.speed_m_per_s;
         unknowns.push_back(
@@ -197,6 +205,7 @@ void add_recording(const std::vector<Observation>& observations, std::vector<Unk
              .step = kBeliefs.speed_step,
              .observation = static_cast<int>(o),
              .set = [o, speed](Trial& trial, double x) { trial.speed_m_per_s[o] = speed * std::exp(x); }});
+        add_flicker(observation, o, unknowns);
         for (std::size_t c = 0; c < observation.noise_psd.size(); ++c) {
             const double guess = std::log(observation.noise_psd[c]);
             unknowns.push_back(
@@ -271,6 +280,7 @@ Trial believed_trial(const BelievedCase& believed, const std::vector<Observation
     for (const Observation& observation : observations) {
         trial.speed_m_per_s.push_back(observation.speed_m_per_s);
         trial.noise_psd.push_back(observation.noise_psd);
+        trial.flicker_psd.emplace_back(observation.noise_psd.size(), 0.0);
         trial.discrepancy.push_back(observation.scalar ? kBeliefs.scalar_discrepancy : 0.0);
         trial.log_gain.emplace_back();
         for (std::size_t c = 0; c < observation.channels.size(); ++c)
@@ -294,7 +304,6 @@ std::vector<Unknown> nuisance_unknowns(const BelievedCase& believed, const std::
                             }});
     add_irregularity(believed, observations, unknowns);
     add_met_alone(observations, unknowns);
-    add_calibrations(observations, unknowns);
     const double passing = believed.numbers.sleeper_passing.amplitude_factor;
     if (passing > 0.0)
         unknowns.push_back({.kind = UnknownKind::passing,
@@ -312,10 +321,9 @@ std::vector<Unknown> nuisance_unknowns(const BelievedCase& believed, const std::
     return unknowns;
 }
 
-std::optional<std::size_t> channel_of(const Unknown& calibration, const Observation& observation) {
-    for (std::size_t c = 0; c < observation.calibration.size(); ++c)
-        if (!observation.unknown_scale[c] && observation.channel_names[c] == calibration.channel) return c;
-    return std::nullopt;
+double noise_at(const Trial& trial, std::size_t observation, std::size_t channel, double frequency_hz) {
+    const double white = trial.noise_psd[observation][channel];
+    return trial.flicker_psd.empty() ? white : white + trial.flicker_psd[observation][channel] / frequency_hz;
 }
 
 double to_coordinate(const EffectParameter& parameter, double value) {

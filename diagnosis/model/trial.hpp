@@ -2,7 +2,6 @@
 // One supposition about vehicle, track, excitation and sensors, and the unknowns that move it.
 
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,7 +20,9 @@ struct Trial {
     pem::CaseParameters numbers;
     std::vector<EffectInstance> effects;
     std::vector<double> speed_m_per_s;           ///< per observation
-    std::vector<std::vector<double>> noise_psd;  ///< per observation and channel
+    std::vector<std::vector<double>> noise_psd;  ///< per observation and channel: its white part
+    /// and at 1 Hz what falls with 1/f; none: nothing
+    std::vector<std::vector<double>> flicker_psd;
     /// per observation: relative deviation of a scalar value that the model class cannot say
     std::vector<double> discrepancy;
     /// per observation and channel: of its power; of a sensor's calibration, or of one whose unit cannot be trusted
@@ -53,6 +54,7 @@ enum class UnknownKind {
     met_alone,
     speed,
     noise,
+    flicker,
     floor,
     discrepancy
 };
@@ -67,10 +69,9 @@ struct Unknown {
     double high = 1e300;
     double step = kBeliefs.usual_step;  ///< of the numerical derivative
     int observation = -1;               ///< the only one that it moves; −1: all
-    int index = 0;                      ///< noise: channel; floor: group·nodes + node; effect: place in Trial::effects
-    Element element = Element::body;    ///< correction: where
+    int index = 0;  ///< noise, calibration: channel; floor: group·nodes + node; effect: place in Trial::effects
+    Element element = Element::body;                        ///< correction: where
     parameters::Nature nature = parameters::Nature::other;  ///< number: of what kind
-    std::string channel = {};                               ///< calibration: of which sensor
     std::function<void(Trial&, double)> set;
 };
 
@@ -90,9 +91,8 @@ std::vector<Unknown> effect_unknowns(const EffectInstance& instance, std::size_t
 /// The parameter of an effect that an unknown is; null for every other unknown.
 const EffectParameter* parameter_of(const Unknown& unknown);
 
-/// The channel of an observation whose calibration an unknown is; none where it has no such sensor, or one whose unit
-/// cannot be trusted.
-std::optional<std::size_t> channel_of(const Unknown& calibration, const Observation& observation);
+/// Noise of a channel at a frequency > 0: its white part and what grows with 1/f.
+double noise_at(const Trial& trial, std::size_t observation, std::size_t channel, double frequency_hz);
 
 /// Applies values to a trial.
 void set_values(Trial& trial, const std::vector<Unknown>& unknowns, const std::vector<double>& values);
