@@ -303,6 +303,17 @@ class WritingUp {
                 result_.remains.push_back(number.key + " ends " +
                                           std::to_string(std::abs(number.tolerances_away)).substr(0, 4) +
                                           " tolerances away from what was believed");
+        const double off = decision_.named ? study_.named_level_db : study_.retuned_level_db;
+        if (off > thresholds_.level_db)
+            result_.remains.push_back(
+                fmt::format("the levels are off by {:.1f} dB rms beyond chance and stated errors; {:g} dB is what a "
+                            "case that explains may leave",
+                            off, thresholds_.level_db));
+        if (result_.retuned.rms_db > result_.before.rms_db + thresholds_.level_db)
+            result_.remains.push_back(
+                fmt::format("retuning failed: the retuned case is {:.1f} dB from the recorded levels, the believed one "
+                            "{:.1f} dB; its numbers say nothing",
+                            result_.retuned.rms_db, result_.before.rms_db));
         const double missed = decision_.named ? study_.by_named : study_.by_retuned;
         if (missed > thresholds_.residual)
             result_.remains.push_back(
