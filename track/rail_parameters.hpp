@@ -14,7 +14,8 @@ struct RailParameters {
     double youngs_modulus_pa = 0.0;
     double second_moment_of_area_m4 = 0.0;
     double mass_kg_per_m = 0.0;
-    double loss_factor = 0.0;  ///< η of E and G: E(1 + iη), G(1 + iη), constant
+    double loss_factor = 0.0;        ///< η of E and G: E(1 + iη), G(1 + iη)
+    double loss_reference_hz = 0.0;  ///< η holds there and grows in proportion to the frequency; 0: constant
     double shear_modulus_pa = 81e9;
     double shear_coefficient = 0.4;    ///< κ (effective shear area κA)
     double cross_section_m2 = 7.7e-3;  ///< A

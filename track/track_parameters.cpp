@@ -20,8 +20,9 @@ Fields<RailParameters> rail_fields() {
             .of(Nature::mass)
             .required()
             .tolerance(0.02),
-        number(&R::loss_factor, "loss_factor", "1", between(0.0, 1.0), "constant loss factor of E and G")
-            .of(Nature::loss),
+        number(&R::loss_factor, "loss_factor", "1", between(0.0, 1.0), "loss factor of E and G").of(Nature::loss),
+        number(&R::loss_reference_hz, "loss_reference_hz", "Hz", not_negative(),
+               "frequency at which that loss factor holds, which grows in proportion to the frequency; 0: constant"),
         number(&R::shear_modulus_pa, "shear_modulus_pa", "Pa", positive(), "shear modulus, Timoshenko only"),
         number(&R::shear_coefficient, "shear_coefficient", "1", between(0.05, 1.0),
                "shear coefficient, Timoshenko only")

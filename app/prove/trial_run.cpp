@@ -6,6 +6,7 @@
 #include <chrono>
 #include <exception>
 #include <future>
+#include <iterator>
 #include <thread>
 
 #include "app/tables/simulated_recording_files.hpp"
@@ -95,8 +96,9 @@ diagnosis::Diagnosis diagnose_recordings(const diagnosis::BelievedCase& believed
                                          const TrialOptions& options) {
     std::vector<diagnosis::Observation> observations;
     for (std::size_t i = 0; i < recordings.size(); ++i)
-        observations.push_back(
-            diagnosis::observe(recordings[i], fmt::format("record_{}", i + 1), believed.numbers, options.observation));
+        std::ranges::move(
+            diagnosis::observe(recordings[i], fmt::format("record_{}", i + 1), believed.numbers, options.observation),
+            std::back_inserter(observations));
     return diagnosis::diagnose(believed, observations, options.diagnosis);
 }
 

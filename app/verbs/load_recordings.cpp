@@ -35,29 +35,45 @@ std::vector<std::string> unused_spectra(const recordings::Recording& recording,
     return names;
 }
 
+/// Where delays between axle boxes or bogies contradict the stated speed, they win: at another speed nothing lies where
+/// it is looked for. Not where the description says how sure its speed is. Throws InputError then.
+void take_speed_of_delays(const recordings::InspectionReport& inspection, const std::string& path,
+                          recordings::RecordingDescription& description) {
+    for (const recordings::Fault& fault : inspection.faults) {
+        if (fault.kind != recordings::FaultKind::speed_mismatch || fault.severity != recordings::Severity::error)
+            continue;
+        if (description.speed_standard_error_m_per_s > 0.0 || !(inspection.speed_m_per_s > 0.0))
+            throw InputError(
+                fmt::format("{}: {}\nallowed: the speed of the record, in m/s, or no standard error: then "
+                            "the delays count",
+                            path, fault.says));
+        description.speed_m_per_s = inspection.speed_m_per_s;
+        description.speed_standard_error_m_per_s = inspection.speed_error_m_per_s;
+        return;
+    }
+}
+
 /// A time series, one rail after the other where it has channels of both.
 void add_series(const recordings::Recording& recording, const RecordingFile& description, const std::string& path,
                 const CaseFile& file, const diagnosis::BelievedCase& believed,
                 const diagnosis::ObservationOptions& options, LoadedRecordings& loaded) {
-    const std::vector<diagnosis::SideRecording> sides = diagnosis::one_rail_each(recording);
-    std::vector<diagnosis::Observation> observations;
-    std::vector<std::string> used;
-    for (const diagnosis::SideRecording& side : sides) {
-        observations.push_back(reading_data(description, [&] {
-            return diagnosis::observe(side.recording, description.name + side.suffix, believed.numbers, options);
-        }));
-        used.insert(used.end(), observations.back().channel_names.begin(), observations.back().channel_names.end());
-    }
     const recordings::InspectionReport inspection =
         recordings::inspect(recording, inspection_beliefs(file, description));
-    std::vector<std::string> faults, not_used;
+    std::vector<diagnosis::SideRecording> sides = diagnosis::one_rail_each(recording);
+    std::vector<diagnosis::Observation> observations;
+    std::vector<std::string> used, faults, not_used;
+    for (diagnosis::SideRecording& side : sides) {
+        take_speed_of_delays(inspection, path, side.recording.description);
+        for (diagnosis::Observation& own : reading_data(description, [&] {
+                 return diagnosis::observe(side.recording, description.name + side.suffix, believed.numbers, options);
+             }))
+            observations.push_back(std::move(own));
+        used.insert(used.end(), observations.back().channel_names.begin(), observations.back().channel_names.end());
+    }
     for (const recordings::Fault& fault : inspection.faults) {
         if (fault.severity != recordings::Severity::note)
             faults.push_back(
                 fmt::format("{}{}{}", fmt::join(fault.channels, ", "), fault.channels.empty() ? "" : ": ", fault.says));
-        // At another speed nothing lies where it is looked for, and no fit would come near.
-        if (fault.kind == recordings::FaultKind::speed_mismatch && fault.severity == recordings::Severity::error)
-            throw InputError(fmt::format("{}: {}\nallowed: the speed of the record, in m/s", path, fault.says));
     }
     for (const recordings::Channel& channel : recording.series.channels)
         if (std::find(used.begin(), used.end(), channel.description.name) == used.end())

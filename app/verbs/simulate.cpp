@@ -13,6 +13,7 @@
 #include "app/verbs/simulation_request.hpp"
 #include "app/verbs/verbs.hpp"
 #include "effects/catalogue.hpp"
+#include "track/causal_losses.hpp"
 
 namespace railpem::app {
 
@@ -76,6 +77,9 @@ int simulate_recording(const SimulateRequest& request) {
     if (!request.truth.empty()) check_truth_path(request);
     const CaseFile file = read_case(simulation.path, simulation.set);
     const Truth truth = planned_simulation(file, simulation);
+    for (const std::string& part : track::constant_losses(file.parameters.track))
+        fmt::print(stderr, "note: a constant loss factor is no motion in time: {} are marched with a causal law\n",
+                   part);
 
     OutputFolder folder(request.folder);
     std::optional<OutputFolder> truth_folder;

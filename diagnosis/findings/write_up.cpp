@@ -1,6 +1,7 @@
 #include "diagnosis/findings/write_up.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,6 +20,7 @@
 #include "diagnosis/model/friction_levels.hpp"
 #include "diagnosis/model/wheel_unloading.hpp"
 #include "diagnosis/observations/shows.hpp"
+#include "track/causal_losses.hpp"
 
 namespace railpem::diagnosis {
 
@@ -296,6 +298,12 @@ class WritingUp {
                                                    "coupling of neighbouring wheels and the ") +
                                        (believed_.measured_irregularity.empty() ? "believed" : "measured") +
                                        " irregularity");
+        const std::vector<std::string> constant = track::constant_losses(believed_.numbers.track);
+        if (!result_.per_value && !constant.empty())
+            result_.rests_on.push_back(
+                fmt::format("causal losses where the case has constant ones ({}), which no "
+                            "motion in time can have",
+                            fmt::join(constant, ", ")));
         if (!result_.per_value)
             result_.rests_on.push_back("ratios between the channels, which do not care what the irregularity is");
         for (const RetunedNumber& number : result_.numbers)

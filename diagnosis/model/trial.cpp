@@ -11,6 +11,7 @@
 #include "diagnosis/observations/shows.hpp"
 #include "pem/contact.hpp"
 #include "pem/response_names.hpp"
+#include "track/causal_losses.hpp"
 
 namespace railpem::diagnosis {
 
@@ -271,6 +272,8 @@ pem::CaseParameters case_of(const Trial& trial, const BelievedCase& believed, co
             own->reference_n2_per_hz = force_reference(observation, own->frequency_hz);
     // Quoted spectra and hammer tests do not say that the wheels moved; what the case says of it holds.
     if (!observation.scalar) parameters.solver.moving = true;
+    // No record in time has a constant loss factor; lines that stand for themselves keep what the case says.
+    if (!observation.scalar) parameters.track = track::causal_losses(std::move(parameters.track));
     parameters.frequency.to_hz = observation.expectation.high_hz + 10.0;
     return parameters;
 }

@@ -20,8 +20,13 @@ struct ObservationSettings {
     /// record has
     double least_speed_agreement = 0.3;
     /// relative rms of a speed that counts as one speed: it costs 2e-4 of the coherence of wheels 160 cycles apart.
-    /// Judged on records of constant speed, of which axle boxes read 3e-6 and bogies alone 1.2e-5
+    /// Judged on records of constant speed, of which axle boxes read 1.3e-6 and bogies alone 7e-6
     double least_speed_change = 2e-5;
+    /// largest over least speed of a piece in which a record is observed: what a train feels of the track's passing at
+    /// one speed still holds. Chosen; not calibrated
+    double widest_speed_range = 1.25;
+    /// s, of a piece: its last quarter is one window. Chosen
+    double shortest_piece_s = 20.0;
     /// bins of a usable band. Chosen; not calibrated
     std::size_t fewest_bins = 20;
     /// a band ends this much inside of what the irregularity excites. Chosen; not calibrated

@@ -8,6 +8,7 @@
 
 #include "diagnosis/observations/channel_scales.hpp"
 #include "diagnosis/observations/held_distortion.hpp"
+#include "diagnosis/observations/record_pieces.hpp"
 #include "parameters/parameter_error.hpp"
 #include "recordings/estimates/cross_spectra.hpp"
 #include "recordings/estimates/running_speed.hpp"
@@ -135,18 +136,24 @@ std::shared_ptr<const Observation> coarse_of(const recordings::Recording& record
     return std::make_shared<const Observation>(std::move(coarse));
 }
 
-}  // namespace
+/// In how many pieces a record is observed: each a narrow range of speeds, and long enough to be one.
+std::size_t piece_count(const std::optional<recordings::RunningSpeed>& running, double duration_s) {
+    if (!running) return 1;
+    const auto [least, most] = std::ranges::minmax_element(running->path.speed_m_per_s);
+    const double wanted = std::ceil(std::log(*most / *least) / std::log(kObservationSettings.widest_speed_range)),
+                 room = std::floor(duration_s / kObservationSettings.shortest_piece_s);
+    return static_cast<std::size_t>(std::max(1.0, std::min(wanted, room)));
+}
 
-Observation observe(const recordings::Recording& recording, const std::string& name,
-                    const pem::CaseParameters& believed, const ObservationOptions& options) {
-    const recordings::StatedSpeed speed = recordings::stated_speed(recording);
+/// A record whose speed is known.
+Observation observe_at(const recordings::Recording& recording, const std::string& name,
+                       const pem::CaseParameters& believed, const ObservationOptions& options,
+                       const recordings::StatedSpeed& speed, const std::optional<recordings::RunningSpeed>& running) {
     Observation head{.name = name, .speed_m_per_s = speed.m_per_s, .payload_kg = recording.description.payload_kg};
     head.speed_tolerance =
         speed.standard_error > 0.0 ? speed.standard_error / speed.m_per_s : kObservationSettings.speed_tolerance;
     head.observed_speed = {speed.from_channel ? "the speed channel" : "the description", speed.lowest_m_per_s,
                            speed.highest_m_per_s};
-    const std::optional<recordings::RunningSpeed> running =
-        changing_speed(recording.series, believed, head.speed_m_per_s);
     if (running) {
         const auto [least, most] = std::ranges::minmax_element(running->path.speed_m_per_s);
         head.observed_speed = {"delays between channels", *least, *most};
@@ -157,6 +164,27 @@ Observation observe(const recordings::Recording& recording, const std::string& n
     guess_scales(observation, believed);
     observation.coarse = coarse_of(recording, head, observation, believed, options, running);
     return observation;
+}
+
+}  // namespace
+
+std::vector<Observation> observe(const recordings::Recording& recording, const std::string& name,
+                                 const pem::CaseParameters& believed, const ObservationOptions& options) {
+    const recordings::StatedSpeed speed = recordings::stated_speed(recording);
+    const std::optional<recordings::RunningSpeed> running = changing_speed(recording.series, believed, speed.m_per_s);
+    const double duration = recording.series.duration_s();
+    const std::size_t count = piece_count(running, duration);
+    if (count == 1) return {observe_at(recording, name, believed, options, speed, running)};
+    std::vector<Observation> pieces;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double from = duration * static_cast<double>(i) / static_cast<double>(count),
+                     to = duration * static_cast<double>(i + 1) / static_cast<double>(count);
+        recordings::RunningSpeed own = *running;
+        own.path = stretch(running->path, from, to);
+        pieces.push_back(observe_at(cut(recording, from, to), fmt::format("{} ({:.0f} to {:.0f} s)", name, from, to),
+                                    believed, options, speed, own));
+    }
+    return pieces;
 }
 
 }  // namespace railpem::diagnosis

@@ -93,7 +93,8 @@ RailElement doubled(const RailElement& half) {
 
 BeamCoefficients beam_coefficients(const RailParameters& rail, const std::vector<RailDamper>& dampers, Real omega,
                                    const lanes::FactorCurve& mass_factor) {
-    const Complex loss(std::complex<double>(1.0, rail.loss_factor));
+    Complex loss(std::complex<double>(1.0, rail.loss_factor));
+    if (rail.loss_reference_hz > 0.0) loss.im = omega * (rail.loss_factor / (2.0 * M_PI * rail.loss_reference_hz));
     const Real omega2 = omega * omega;
     BeamCoefficients beam;
     beam.bending = loss * (rail.youngs_modulus_pa * rail.second_moment_of_area_m4);

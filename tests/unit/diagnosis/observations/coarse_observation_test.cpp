@@ -30,7 +30,7 @@ recordings::Recording noise_recording(double seconds) {
 }
 
 Observation observed_noise(const BelievedCase& believed, const ObservationOptions& options = {}) {
-    return observe(noise_recording(60.0), "noise", believed.numbers, options);
+    return observe(noise_recording(60.0), "noise", believed.numbers, options).front();
 }
 
 TEST(CoarseObservation, HasTheBandInFewerBins) {
