@@ -1,6 +1,7 @@
 #include "diagnosis/fit/imperfection_derivatives.hpp"
 
 #include "diagnosis/expectation/faint_sources.hpp"
+#include "diagnosis/expectation/source_spectra.hpp"
 #include "diagnosis/fit/node_weight.hpp"
 #include "diagnosis/observations/channel_scales.hpp"
 #include "pem/coupling/excite.hpp"
@@ -32,13 +33,31 @@ std::vector<Values> met_alone_derivatives(const Trial& trial, const std::vector<
     const Observation& observation = (*context.observations)[o];
     const ExpectedSpectra& at = predictions[o];
     const Values alone = met_alone_spectra(trial, context, o, predictions);
+    const pem::CaseParameters parameters = case_of(trial, *context.believed, observation);
+    const double speed = trial.speed_m_per_s[o];
+    const pem::Excitation excitation =
+        pem::excitation(parameters, vehicle::wheel_positions(parameters.vehicle), speed, &predictions.caches[o].track);
+    const pem::DelayedSpectrum met{.name = {}, .psd_m2_per_hz = [&](double f) {
+                                       return parameters.modifiers.share_met_alone(f, speed) *
+                                              excitation.broadband.front().psd_m2_per_hz(f);
+                                   }};
+    const FineGrid bins{observation.kernel.bin_hz(), at.first_bin, at.bins()};
+    const std::vector<double> power = powers_at_lines(met, bins);
+    // Where a band begins or ends within a bin, its power is a mean over the bin, and so is the weighted one.
+    const auto weight_at = [&](const NodeWeight& weight, std::size_t b) {
+        const double f = bins.frequency(b), own = weight(f), centre = met.psd_m2_per_hz(f);
+        if (power[b] == centre || power[b] == 0.0) return own;
+        const pem::DelayedSpectrum weighted{
+            .name = {}, .psd_m2_per_hz = [&](double g) { return weight(g) * met.psd_m2_per_hz(g); }};
+        return power_over_cell(weighted, f, bins.step_hz, own * centre) / power[b];
+    };
     const std::size_t elements = at.channels * at.channels;
     std::vector<Values> result;
     for (const Unknown* unknown : unknowns) {
-        const NodeWeight weight(trial.numbers.modifiers.met_alone.wavelength_m, unknown->index, trial.speed_m_per_s[o]);
-        Values own(alone.size());
+        const NodeWeight weight(trial.numbers.modifiers.met_alone.wavelength_m, unknown->index, speed);
+        Values own(alone.size(), 0.0);
         for (std::size_t b = 0; b < at.bins(); ++b) {
-            const double share = weight(static_cast<double>(at.first_bin + b) * observation.kernel.bin_hz());
+            const double share = weight_at(weight, b);
             for (std::size_t i = b * elements; i < (b + 1) * elements; ++i) own[i] = share * alone[i];
         }
         result.push_back(std::move(own));

@@ -39,8 +39,8 @@ double largest_difference(const Synthesised& made, const Trial& trial, const Unk
 TEST(ImperfectionDerivatives, AreThoseOfWholePredictions) {
     Synthesised made = synthesised(paper_believed({"vehicle.bogie_mass_kg"}), {20.0, 33.0}, 60.0,
                                    {"bogie_1", "wheel_1", "wheel_4"}, kSmall);
-    for (Observation& own : made.observations) own.calibration.assign(3, 0.01);
     made.draw(1);
+    for (Observation& own : made.observations) own.calibration.assign(3, 0.01);
     std::vector<Unknown> unknowns = nuisance_unknowns(made.believed, made.observations);
     std::erase_if(unknowns, [](const Unknown& own) {
         return own.kind != UnknownKind::met_alone && own.kind != UnknownKind::calibration;
@@ -69,6 +69,7 @@ TEST(ImperfectionDerivatives, AreThoseOfWholePredictions) {
 TEST(ImperfectionDerivatives, NothingIsMetAloneWithoutAShare) {
     Synthesised made =
         synthesised(paper_believed({"vehicle.bogie_mass_kg"}), {20.0}, 60.0, {"wheel_1", "wheel_4"}, kSmall);
+    made.draw(1);
     const Trial trial = believed_trial(made.believed, made.observations);
     const Predictions at = predict(trial, made.context());
     for (const std::complex<double> value : met_alone_spectra(trial, made.context(), 0, at)) EXPECT_EQ(value, 0.0);
