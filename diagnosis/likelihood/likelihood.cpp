@@ -90,7 +90,7 @@ void add_diagonal_columns(const Trial& trial, const std::vector<Unknown>& unknow
                           const Observation& observation, std::size_t index, const ExpectedSpectra& prediction,
                           std::size_t bin, double amplification, WhitenedColumns& columns) {
     const FloorPlace place = floor_place(observation.frequency(bin));
-    const std::array<double, kFloorGroups> floors = floors_at(trial, observation.frequency(bin), 0.0);
+    const std::array<double, kFloorGroups> floors = fitted_floors_at(trial, observation.frequency(bin));
     const std::size_t size = prediction.channels;
     const Complex* model = &prediction.values[bin * size * size];
     std::size_t column = own.derivatives.size();

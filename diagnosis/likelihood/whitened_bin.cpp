@@ -99,7 +99,7 @@ void settle_residual(WhitenedBin& bin, double share, std::size_t size) {
 
 }  // namespace
 
-std::array<double, kFloorGroups> floors_at(const Trial& trial, double frequency_hz, double least) {
+std::array<double, kFloorGroups> fitted_floors_at(const Trial& trial, double frequency_hz) {
     const FloorPlace place = floor_place(frequency_hz);
     std::array<double, kFloorGroups> floors;
     for (std::size_t group = 0; group < floors.size(); ++group) {
@@ -107,8 +107,15 @@ std::array<double, kFloorGroups> floors_at(const Trial& trial, double frequency_
         const double own = node[0] > 0.0 && node[1] > 0.0
                                ? std::exp((1.0 - place.share) * std::log(node[0]) + place.share * std::log(node[1]))
                                : (1.0 - place.share) * node[0] + place.share * node[1];
-        floors[group] = own * own + least * least;
+        floors[group] = own * own;
     }
+    return floors;
+}
+
+std::array<double, kFloorGroups> floors_at(const Trial& trial, double frequency_hz, double least) {
+    const double sensor = kObservationSettings.sensor_error;
+    std::array<double, kFloorGroups> floors = fitted_floors_at(trial, frequency_hz);
+    for (double& own : floors) own += least * least + sensor * sensor;
     return floors;
 }
 

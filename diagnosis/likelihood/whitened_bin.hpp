@@ -34,7 +34,11 @@ void whiten(const Trial& trial, const Observation& observation, std::size_t inde
             const MeasuredSpectra& data, std::size_t bin, double least_floor, const BinPower* known,
             WhitenedBin& result);
 
-/// Square of the floor's relative amplitude, of `least` added, by floor_group() of a response.
+/// Square of the relative amplitude of a trial's floor, by floor_group() of a response.
+std::array<double, kFloorGroups> fitted_floors_at(const Trial& trial, double frequency_hz);
+
+/// Square of the floor's relative amplitude, of `least` and of the sensors' error added, by floor_group() of a
+/// response.
 std::array<double, kFloorGroups> floors_at(const Trial& trial, double frequency_hz, double least);
 
 }  // namespace railpem::diagnosis

@@ -75,8 +75,7 @@ struct Beliefs {
     double sound_floor = 5e-4;     ///< what two sound simulators differ by. Judged on that difference
     double log_floor_mean = -7.6;  ///< derived: the logarithm of that, rounded
     double floor_deviation = 2.5;  ///< a factor of twelve: bands that no state explains must lose their weight. Judged
-    /// bounds: no sensor and no simulator is better than the sound floor; three times the power. Derived, chosen
-    double log_least_floor = -7.6, log_most_floor = 1.0;
+    double log_least_floor = -14.0, log_most_floor = 1.0;  ///< bounds. Chosen; not calibrated
 
     // The discrepancy of a scalar recording, relative, of a level.
 

@@ -27,6 +27,10 @@ struct ObservationSettings {
     double widest_speed_range = 1.25;
     /// s, of a piece: its last quarter is one window. Chosen
     double shortest_piece_s = 20.0;
+    /// relative amplitude by which every sensor errs by itself, and every simulator by its step: added to what was
+    /// recorded and to what is expected, so that nothing is read from less than 50 dB below a level. Chosen: a third of
+    /// the transverse sensitivity of a good accelerometer (ISO 5347-11)
+    double sensor_error = 3e-3;
     /// bins of a usable band. Chosen; not calibrated
     std::size_t fewest_bins = 20;
     /// a band ends this much inside of what the irregularity excites. Chosen; not calibrated

@@ -23,12 +23,14 @@ MeasuredSpectra kept(const recordings::CrossSpectra& spectra, const std::vector<
                      std::size_t first, std::size_t count) {
     MeasuredSpectra measured;
     const std::size_t size = channels.size();
+    const double inexact = 1.0 + std::pow(kObservationSettings.sensor_error, 2);
     measured.averages = spectra.averages_per_bin;
     measured.values.reserve(count * size * size);
     for (std::size_t bin = first; bin < first + count; ++bin)
         for (std::size_t column = 0; column < size; ++column)
             for (std::size_t row = 0; row < size; ++row)
-                measured.values.push_back(spectra.at(bin, channels[row].channel, channels[column].channel));
+                measured.values.push_back(spectra.at(bin, channels[row].channel, channels[column].channel) *
+                                          (row == column ? inexact : 1.0));
     set_log_determinants(measured, size, spectra.averages);
     return measured;
 }
