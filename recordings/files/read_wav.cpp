@@ -1,12 +1,12 @@
 #include <fmt/format.h>
 #include <sndfile.h>
 
+#include <algorithm>
 #include <memory>
 
-#include "recordings/files/isolated_read.hpp"
-#include "recordings/files/read_binary.hpp"
 #include "recordings/files/read_error.hpp"
 #include "recordings/files/read_unprotected.hpp"
+#include "recordings/files/send_blocks.hpp"
 
 namespace railpem::recordings {
 namespace {
@@ -22,8 +22,8 @@ bool is_wave(int format) {
 
 }  // namespace
 
-DataTable read_wav_unprotected(const std::string& file, const std::vector<std::string>& wanted,
-                               const ReadLimits& limits) {
+void read_wav_unprotected(const std::string& file, const std::vector<std::string>& wanted, std::size_t rows,
+                          const ReadLimits& limits, const SendTable& send) {
     SF_INFO info{};
     const std::unique_ptr<SNDFILE, CloseSound> sound(sf_open(file.c_str(), SFM_READ, &info));
     if (!sound)
@@ -45,26 +45,22 @@ DataTable read_wav_unprotected(const std::string& file, const std::vector<std::s
         selected.push_back(require_name(name, names, "channel", file, 0));
         table.names.push_back(name);
     }
-    if (frames > limits.memory_bytes / sizeof(double) / selected.size())
-        throw ReadError(file, 0, fmt::format("{} channels of {} samples", selected.size(), frames),
-                        fmt::format("at most {} MB of numbers", limits.memory_bytes >> 20));
-    table.columns.resize(selected.size());
-    constexpr sf_count_t frames_at_once = 16384;
+    constexpr std::size_t frames_at_once = 16384;
     std::vector<double> block(channels * frames_at_once);
-    std::size_t done = 0;
-    for (sf_count_t got = 0; (got = sf_readf_double(sound.get(), block.data(), frames_at_once)) > 0;
-         done += static_cast<std::size_t>(got))
-        for (std::size_t i = 0; i < selected.size(); ++i)
-            for (std::size_t k = 0; k < static_cast<std::size_t>(got); ++k)
-                table.columns[i].push_back(block[k * channels + selected[i]]);
-    if (done != frames)
-        throw ReadError(file, 0, fmt::format("the file is truncated: {} of {} samples are there", done, frames),
-                        "a complete WAV file");
-    return table;
-}
-
-DataTable read_wav(const std::string& file, const std::vector<std::string>& wanted, const ReadLimits& limits) {
-    return read_isolated(file, limits, [&] { return read_wav_unprotected(file, wanted, limits); });
+    send_blocks(table, frames, rows, limits, file, send, [&](std::size_t begin, std::size_t count) {
+        for (std::size_t done = 0; done < count;) {
+            const auto asked = static_cast<sf_count_t>(std::min(frames_at_once, count - done));
+            const sf_count_t got = sf_readf_double(sound.get(), block.data(), asked);
+            for (std::size_t i = 0; i < selected.size(); ++i)
+                for (std::size_t k = 0; k < static_cast<std::size_t>(got); ++k)
+                    table.columns[i].push_back(block[k * channels + selected[i]]);
+            done += static_cast<std::size_t>(got);
+            if (got < asked)
+                throw ReadError(file, 0,
+                                fmt::format("the file is truncated: {} of {} samples are there", begin + done, frames),
+                                "a complete WAV file");
+        }
+    });
 }
 
 }  // namespace railpem::recordings

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <complex>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -53,6 +54,10 @@ std::vector<std::string> uff_record_names(const UffDataset& dataset, std::size_t
 /// Time responses as a table. `wanted`: names by uff_record_names(); empty: every real function on an even time axis.
 DataTable uff_time_table(const std::string& file, const std::vector<std::string>& wanted,
                          const ReadLimits& limits = {});
+
+/// The same in blocks of `rows`.
+void uff_time_blocks(const std::string& file, const std::vector<std::string>& wanted, std::size_t rows,
+                     const ReadLimits& limits, const std::function<void(DataTable&)>& take);
 
 /// Writes datasets 58 (ASCII, E20.12, which keeps 13 digits) or 58b (little endian, exact). Throws ReadError when the
 /// file cannot be written.

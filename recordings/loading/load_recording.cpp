@@ -127,20 +127,27 @@ void fill_series(const RecordingDescription& description, const DataTable& table
     recording.notes.insert(recording.notes.end(), table.notes.begin(), table.notes.end());
 }
 
-DataTable read_table(const fs::path& path, const std::vector<std::string>& wanted, const ReadLimits& limits) {
+void read_binary_blocks(const fs::path& path, const std::vector<std::string>& wanted, std::size_t rows,
+                        const ReadLimits& limits, const TakeTable& take) {
     switch (format_of(path)) {
         case Format::csv:
-            return read_csv(path.string(), wanted, limits);
+            break;
         case Format::mat:
-            return read_mat(path.string(), wanted, limits);
+            return read_mat_blocks(path.string(), wanted, rows, limits, take);
         case Format::uff:
-            return uff_time_table(path.string(), wanted, limits);
+            return uff_time_blocks(path.string(), wanted, rows, limits, take);
         case Format::wav:
-            return read_wav(path.string(), wanted, limits);
+            return read_wav_blocks(path.string(), wanted, rows, limits, take);
         case Format::hdf5:
-            return read_hdf5(path.string(), wanted, limits);
+            return read_hdf5_blocks(path.string(), wanted, rows, limits, take);
     }
-    return {};
+}
+
+DataTable read_table(const fs::path& path, const std::vector<std::string>& wanted, const ReadLimits& limits) {
+    if (format_of(path) == Format::csv) return read_csv(path.string(), wanted, limits);
+    DataTable all;
+    read_binary_blocks(path, wanted, all_rows, limits, [&](DataTable& table) { all = std::move(table); });
+    return all;
 }
 
 /// What does not depend on the data file.
@@ -188,40 +195,60 @@ Recording load(const RecordingDescription& description, const fs::path& base, co
     return recording;
 }
 
+namespace {
+
+/// Rows of a CSV file in blocks of `rows`, with their notes once.
+void read_csv_blocks(CsvReader& reader, DataTable table, std::size_t rows, const std::string& file,
+                     const TakeTable& take) {
+    std::vector<std::size_t> selected;
+    for (const std::string& name : table.names)
+        selected.push_back(require_name(name, reader.names(), "column", file, reader.header_line()));
+    reader.select(selected);
+    table.notes = reader.notes();
+    for (bool any = false;; any = true) {
+        table.columns.assign(table.names.size(), {});
+        for (auto& column : table.columns) column.reserve(std::min<std::size_t>(rows, std::size_t{1} << 22));
+        if (reader.read(rows, table.columns) == 0) {
+            if (any) return;
+            throw ReadError(file, reader.header_line(), "there is no row of numbers under the header",
+                            "rows of numbers");
+        }
+        take(table);
+        table.notes.clear();
+    }
+}
+
+}  // namespace
+
 void load_in_sections(const RecordingDescription& description, const fs::path& base, std::size_t samples,
                       const std::function<void(const Recording&)>& work, const ReadLimits& limits) {
     check(description);
     const fs::path path = data_path(description, base);
-    if (description.kind != RecordingKind::timeseries || format_of(path) != Format::csv) {
+    if (description.kind != RecordingKind::timeseries) {
         work(load(description, base, limits));
         return;
     }
-    CsvReader reader(path.string(), limits);
-    const std::string time_column = csv_time_column(description, reader.names());
-    DataTable table;
-    table.names = wanted_columns(description, time_column);
-    table.notes = reader.notes();
-    std::vector<std::size_t> selected;
-    for (const std::string& name : table.names)
-        selected.push_back(require_name(name, reader.names(), "column", path.string(), reader.header_line()));
-    reader.select(selected);
     std::size_t done = 0;
+    std::string time_column = description.time_column;
     Recording bare = empty_recording(description, base, path, limits);
-    for (;;) {
-        table.columns.assign(table.names.size(), {});
-        for (auto& column : table.columns) column.reserve(std::min<std::size_t>(samples, std::size_t{1} << 22));
-        if (reader.read(samples, table.columns) == 0) break;
+    const auto take = [&](DataTable& table) {
         Recording recording = bare;
         fill_series(bare.description, table, time_column, path.string(), recording);
         bare.description.sampling_rate_hz = recording.series.sampling_rate_hz;  // one rate for all sections
         recording.series.start_s = static_cast<double>(done) / recording.series.sampling_rate_hz;
         done += recording.series.size();
-        table.notes.clear();
+        table = {};
         work(recording);
+    };
+    if (format_of(path) != Format::csv) {
+        read_binary_blocks(path, wanted_columns(description, time_column), samples, limits, take);
+        return;
     }
-    if (done == 0)
-        throw ReadError(path.string(), reader.header_line(), "there is no row of numbers under the header",
-                        "rows of numbers");
+    CsvReader reader(path.string(), limits);
+    time_column = csv_time_column(description, reader.names());
+    DataTable table;
+    table.names = wanted_columns(description, time_column);
+    read_csv_blocks(reader, table, samples, path.string(), take);
 }
 
 }  // namespace railpem::recordings
