@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "parameters/parameter_error.hpp"
-#include "recordings/files/read_csv.hpp"
 #include "recordings/files/read_error.hpp"
+#include "recordings/text/read_csv.hpp"
 #include "spectra/profile_spectrum.hpp"
 
 namespace railpem::recordings {

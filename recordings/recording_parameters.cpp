@@ -35,6 +35,23 @@ Fields<RecordingDescription> recording_fields() {
     };
 }
 
+namespace {
+
+/// Whether it is stated matters: where it is not, the data file may state one.
+Field<ChannelDescription> scale_factor_field() {
+    using C = ChannelDescription;
+    return {{.key = "scale_factor",
+             .unit = "1",
+             .kind = Kind::number,
+             .range = any_number(),
+             .says = "the number in the file times this is the value in the unit (for instance the full scale of a WAV "
+                     "file); without it what the data file says, else 1"},
+            [](const C& channel) { return Value(channel.scale_factor.value_or(1.0)); },
+            [](C& channel, const Value& value) { channel.scale_factor = std::get<double>(value); }};
+}
+
+}  // namespace
+
 Fields<ChannelDescription> channel_fields() {
     using C = ChannelDescription;
     return {
@@ -44,10 +61,10 @@ Fields<ChannelDescription> channel_fields() {
              "it the name"),
         choice(&C::quantity, "quantity", {"acceleration", "velocity", "displacement", "speed", "mileage"},
                "what is measured; speed and mileage are of the train"),
-        text(&C::unit, "unit", "unit of the numbers, such as m/s^2, g, mm/s, um, km/h; without it the SI unit"),
-        number(
-            &C::scale_factor, "scale_factor", "1", any_number(),
-            "the number in the file times this is the value in the unit (for instance the full scale of a WAV file)"),
+        text(&C::unit, "unit",
+             "unit of the numbers, such as m/s^2, g, mm/s, um, km/h; without it what the data file says, else the SI "
+             "unit"),
+        scale_factor_field(),
         choice(&C::scale, "scale", {"known", "unknown"}, "unknown: the unit cannot be trusted, levels say nothing"),
         choice(&C::location, "location", {"none", "body", "bogie", "wheel", "rail"},
                "where the sensor sits; wheel is the axle box"),

@@ -50,12 +50,35 @@ void write_text(int pipe, const std::string& text) {
     write_all(pipe, text.data(), size);
 }
 
+template <class Plain>
+void write_plain(int pipe, const Plain& value) {
+    write_all(pipe, &value, sizeof value);
+}
+
+void write_statements(int pipe, const FileStatements& says) {
+    write_text(pipe, says.sampling_rate_where);
+    write_text(pipe, says.start);
+    write_plain(pipe, says.promised_rows);
+    write_plain(pipe, says.columns.size());
+    for (const ColumnStatement& column : says.columns) {
+        write_text(pipe, column.unit);
+        write_text(pipe, column.unit_where);
+        write_text(pipe, column.scale_where);
+        write_plain(pipe, column.share_of_full_scale ? '1' : '0');
+        for (const auto& number : {column.scale, column.offset, column.sampling_rate_hz, column.start_s}) {
+            write_plain(pipe, number.has_value() ? '1' : '0');
+            write_plain(pipe, number.value_or(0.0));
+        }
+    }
+}
+
 void write_table(int pipe, const DataTable& table) {
     const std::array<std::size_t, 3> sizes = {table.names.size(), table.rows(), table.notes.size()};
     write_all(pipe, sizes.data(), sizeof sizes);
     write_all(pipe, &table.sampling_rate_hz, sizeof table.sampling_rate_hz);
     for (const std::string& name : table.names) write_text(pipe, name);
     for (const std::string& note : table.notes) write_text(pipe, note);
+    write_statements(pipe, table.says);
     for (const auto& column : table.columns) write_all(pipe, column.data(), column.size() * sizeof(double));
 }
 
@@ -181,6 +204,7 @@ class Answers {
             if (!read_text(name)) return false;
         for (std::string& note : table.notes)
             if (!read_text(note)) return false;
+        if (!read_statements(table.says, columns)) return false;
         for (std::size_t i = 0; i < columns; ++i) {
             table.columns.emplace_back(rows);
             if (!read_all(table.columns.back().data(), rows * sizeof(double))) return false;
@@ -189,6 +213,36 @@ class Answers {
     }
 
   private:
+    template <class Plain>
+    bool read_plain(Plain& value) {
+        return read_all(&value, sizeof value);
+    }
+
+    bool read_number(std::optional<double>& number) {
+        char has = '0';
+        double value = 0.0;
+        if (!read_plain(has) || !read_plain(value)) return false;
+        if (has == '1') number = value;
+        return true;
+    }
+
+    bool read_statements(FileStatements& says, std::size_t columns) {
+        std::size_t count = 0;
+        if (!read_text(says.sampling_rate_where) || !read_text(says.start) || !read_plain(says.promised_rows) ||
+            !read_plain(count) || count > columns)
+            return false;
+        says.columns.resize(count);
+        for (ColumnStatement& column : says.columns) {
+            char share = '0';
+            if (!read_text(column.unit) || !read_text(column.unit_where) || !read_text(column.scale_where) ||
+                !read_plain(share) || !read_number(column.scale) || !read_number(column.offset) ||
+                !read_number(column.sampling_rate_hz) || !read_number(column.start_s))
+                return false;
+            column.share_of_full_scale = share == '1';
+        }
+        return true;
+    }
+
     int pipe_;
     double seconds_;
     std::chrono::steady_clock::time_point until_;

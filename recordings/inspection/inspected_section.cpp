@@ -52,6 +52,7 @@ void add_channel(const checks::Evidence& evidence, std::size_t i, InspectionRepo
     const Channel& channel = evidence.series().channels[i];
     ChannelInspection inspection;
     inspection.description = channel.description;
+    inspection.unit_says = channel.unit_says;
     double count = 0.0, second = 0.0, fourth = 0.0;
     for (const double x : channel.samples)
         if (std::isfinite(x)) {
@@ -146,7 +147,9 @@ InspectionReport header(const Recording& recording) {
     InspectionReport report;
     report.title = recording.description.title;
     report.file = recording.file;
+    report.start = recording.start;
     report.kind = recording.description.kind;
+    report.faults = recording.contradictions;
     const StatedSpeed speed = stated_speed(recording);
     report.stated_speed_m_per_s = speed.m_per_s;
     report.stated_speed_error_m_per_s = speed.standard_error;

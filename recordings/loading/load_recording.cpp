@@ -7,11 +7,12 @@
 
 #include "parameters/parameter_error.hpp"
 #include "recordings/files/read_binary.hpp"
-#include "recordings/files/read_csv.hpp"
 #include "recordings/files/read_error.hpp"
 #include "recordings/files/uff.hpp"
+#include "recordings/loading/hold_against_file.hpp"
 #include "recordings/loading/load_tables.hpp"
 #include "recordings/recording_parameters.hpp"
+#include "recordings/text/read_csv.hpp"
 #include "recordings/units.hpp"
 
 namespace railpem::recordings {
@@ -90,37 +91,50 @@ double rate_from_time(const std::vector<double>& time) {
     return std::round(1e6 * static_cast<double>(count) / sum) / 1e6;
 }
 
-/// Puts the columns of the table into channels, in SI units.
-void fill_series(const RecordingDescription& description, const DataTable& table, const std::string& time_column,
-                 const std::string& file, Recording& recording) {
+const std::vector<double>& named(const DataTable& table, const std::string& name, const std::string& file) {
+    return table.columns[require_name(name, table.names, "column", file, 0)];
+}
+
+/// The rate that description, file header and times say, in this order.
+void find_sampling_rate(const RecordingDescription& description, const DataTable& table, Recording& recording) {
     TimeSeries& series = recording.series;
-    const auto column = [&](const std::string& name) -> const std::vector<double>& {
-        return table.columns[require_name(name, table.names, "column", file, 0)];
-    };
-    if (!time_column.empty()) series.time_s = column(time_column);
-    series.sampling_rate_hz = description.sampling_rate_hz > 0.0 ? description.sampling_rate_hz
-                              : table.sampling_rate_hz > 0.0     ? table.sampling_rate_hz
-                                                                 : rate_from_time(series.time_s);
+    series.sampling_rate_hz = held_sampling_rate(description.sampling_rate_hz, table.sampling_rate_hz,
+                                                 table.says.sampling_rate_where, recording.contradictions);
+    if (!(series.sampling_rate_hz > 0.0)) series.sampling_rate_hz = rate_from_time(series.time_s);
     if (!(series.sampling_rate_hz > 0.0) || !std::isfinite(series.sampling_rate_hz))
         throw ParameterError("sampling_rate_hz", "neither the description nor the data file says the sampling rate",
                              "a value greater than 0, or a column time_s");
-    if (table.sampling_rate_hz > 0.0 && std::abs(table.sampling_rate_hz / series.sampling_rate_hz - 1.0) > 1e-4)
-        recording.notes.push_back(fmt::format(
-            "the data file says a sampling rate of {:g} Hz, the description {:g} Hz: the description was used",
-            table.sampling_rate_hz, series.sampling_rate_hz));
-    for (std::size_t i = 0; i < description.channels.size(); ++i) {
-        const ChannelDescription& channel = description.channels[i];
-        const double factor =
-            channel.scale_factor * to_si_factor(channel.unit, channel.quantity, fmt::format("channel[{}].unit", i + 1));
-        std::vector<double> samples = column(column_of(channel));
-        for (double& sample : samples) sample *= factor;
-        if (channel.quantity == ChannelQuantity::speed)
-            series.speed_m_per_s = std::move(samples);
-        else if (channel.quantity == ChannelQuantity::mileage)
-            series.mileage_m = std::move(samples);
-        else
-            series.channels.push_back({channel, std::move(samples)});
-    }
+}
+
+/// Puts one column into its channel, in SI units.
+void fill_channel(std::size_t i, const DataTable& table, Recording& recording) {
+    TimeSeries& series = recording.series;
+    ChannelDescription channel = recording.description.channels[i];
+    const std::size_t column = require_name(column_of(channel), table.names, "column", recording.file, 0);
+    const ColumnStatement says = column < table.says.columns.size() ? table.says.columns[column] : ColumnStatement{};
+    const Conversion conversion = conversion_of(channel, says, fmt::format("channel[{}]", i + 1));
+    if (conversion.contradiction) recording.contradictions.push_back(*conversion.contradiction);
+    if (!conversion.scale_is_known) channel.scale = Scale::unknown;
+    std::vector<double> samples = table.columns[column];
+    for (double& sample : samples) sample = sample * conversion.factor + conversion.offset;
+    if (channel.quantity == ChannelQuantity::speed)
+        series.speed_m_per_s = std::move(samples);
+    else if (channel.quantity == ChannelQuantity::mileage)
+        series.mileage_m = std::move(samples);
+    else
+        series.channels.push_back({channel, std::move(samples), conversion.says});
+}
+
+/// Puts the columns of the table into channels, in SI units.
+void fill_series(const RecordingDescription& description, const DataTable& table, const std::string& time_column,
+                 Recording& recording) {
+    TimeSeries& series = recording.series;
+    if (!time_column.empty()) series.time_s = named(table, time_column, recording.file);
+    find_sampling_rate(description, table, recording);
+    hold_columns_together(table.names, table.says.columns, recording.contradictions);
+    hold_promised_rows(table.rows(), table.says.promised_rows, series.sampling_rate_hz, recording.contradictions);
+    recording.start = table.says.start;
+    for (std::size_t i = 0; i < description.channels.size(); ++i) fill_channel(i, table, recording);
     if (series.channels.empty())
         throw ParameterError("channel", "no channel measures a vibration",
                              "at least one acceleration, velocity or displacement");
@@ -191,7 +205,7 @@ Recording load(const RecordingDescription& description, const fs::path& base, co
     if (format_of(path) == Format::csv)
         time_column = csv_time_column(description, CsvReader(path.string(), limits).names());
     fill_series(description, read_table(path, wanted_columns(description, time_column), limits), time_column,
-                path.string(), recording);
+                recording);
     return recording;
 }
 
@@ -233,7 +247,7 @@ void load_in_sections(const RecordingDescription& description, const fs::path& b
     Recording bare = empty_recording(description, base, path, limits);
     const auto take = [&](DataTable& table) {
         Recording recording = bare;
-        fill_series(bare.description, table, time_column, path.string(), recording);
+        fill_series(bare.description, table, time_column, recording);
         bare.description.sampling_rate_hz = recording.series.sampling_rate_hz;  // one rate for all sections
         recording.series.start_s = static_cast<double>(done) / recording.series.sampling_rate_hz;
         done += recording.series.size();

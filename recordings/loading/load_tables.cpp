@@ -6,10 +6,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "recordings/files/csv_dialect.hpp"
-#include "recordings/files/read_csv.hpp"
 #include "recordings/files/read_error.hpp"
 #include "recordings/files/uff.hpp"
+#include "recordings/text/csv_dialect.hpp"
+#include "recordings/text/read_csv.hpp"
 #include "recordings/units.hpp"
 
 namespace railpem::recordings {
@@ -43,7 +43,7 @@ void check_values(const std::vector<double>& values, const std::string& name, do
 double squared_factor(const RecordingDescription& description, std::size_t channel) {
     const ChannelDescription& c = description.channels[channel];
     const double factor =
-        c.scale_factor * to_si_factor(c.unit, c.quantity, fmt::format("channel[{}].unit", channel + 1));
+        c.scale_factor.value_or(1.0) * to_si_factor(c.unit, c.quantity, fmt::format("channel[{}].unit", channel + 1));
     return factor * factor;
 }
 

@@ -15,12 +15,12 @@
 #include "app/schema/sweep_schema.hpp"
 #include "parameters/parameter_error.hpp"
 #include "recordings/files/read_binary.hpp"
-#include "recordings/files/read_csv.hpp"
 #include "recordings/files/read_error.hpp"
 #include "recordings/files/read_unprotected.hpp"
 #include "recordings/files/uff.hpp"
 #include "recordings/loading/load_tables.hpp"
 #include "recordings/measured_irregularity.hpp"
+#include "recordings/text/read_csv.hpp"
 
 namespace railpem::fuzz {
 namespace {

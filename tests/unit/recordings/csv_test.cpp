@@ -5,9 +5,9 @@
 #include <chrono>
 #include <cmath>
 
-#include "recordings/files/read_csv.hpp"
 #include "recordings/files/read_error.hpp"
 #include "recordings/loading/write_csv.hpp"
+#include "recordings/text/read_csv.hpp"
 #include "scratch_folder.hpp"
 
 namespace railpem::recordings {

@@ -1,4 +1,4 @@
-#include "recordings/files/csv_dialect.hpp"
+#include "recordings/text/csv_dialect.hpp"
 
 #include <algorithm>
 #include <array>

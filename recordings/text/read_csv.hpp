@@ -4,9 +4,9 @@
 #include <string_view>
 #include <vector>
 
-#include "recordings/files/csv_dialect.hpp"
 #include "recordings/files/data_table.hpp"
 #include "recordings/files/text_lines.hpp"
+#include "recordings/text/csv_dialect.hpp"
 
 namespace railpem::recordings {
 

@@ -1,4 +1,4 @@
-#include "recordings/files/read_csv.hpp"
+#include "recordings/text/read_csv.hpp"
 
 #include <fmt/format.h>
 
