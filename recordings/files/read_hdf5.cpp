@@ -1,11 +1,13 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <optional>
 
-#include "recordings/files/hdf5_attribute.hpp"
 #include "recordings/files/hdf5_channels.hpp"
+#include "recordings/files/hdf5_statement.hpp"
 #include "recordings/files/named_column.hpp"
 #include "recordings/files/read_error.hpp"
 #include "recordings/files/read_unprotected.hpp"
@@ -73,7 +75,7 @@ class Hdf5File {
         names_ = names_of(root_);
         if (names_.stored.empty())
             throw ReadError(file, 0, "no dataset is found in the file", "numeric datasets of one or two dimensions");
-        table.sampling_rate_hz = number_attribute(root_, "sampling_rate_hz").value_or(0.0);
+        take_rate(root_);
     }
 
     const std::vector<std::string>& names() const { return names_.shown; }
@@ -98,10 +100,16 @@ class Hdf5File {
             add_channel(!all_                ? text
                         : shape->columns > 1 ? fmt::format("{}:{}", name.name, i + 1)
                                              : name.name,
-                        *shape, i);
+                        names_.stored[require_name(name.name, names_.shown, "dataset", file_, 0)], *shape, i);
     }
 
-    void read(std::size_t begin, std::size_t count) { channels_.read(begin, count, table.columns); }
+    void read(std::size_t begin, std::size_t count) {
+        channels_.read(begin, count, table.columns);
+        for (std::size_t i = 0; i < missing_.size(); ++i)
+            for (const double missing : missing_[i])
+                std::replace(table.columns[i].begin(), table.columns[i].end(), missing,
+                             std::numeric_limits<double>::quiet_NaN());
+    }
 
     DataTable table;
 
@@ -124,14 +132,38 @@ class Hdf5File {
         Hdf5Handle dataset(H5Dopen2(root_, stored.c_str(), H5P_DEFAULT), H5Dclose);
         const std::optional<Shape> shape = dataset.valid() ? shape_of(dataset) : std::nullopt;
         if (!shape) return std::nullopt;
-        if (table.sampling_rate_hz <= 0.0)
-            table.sampling_rate_hz = number_attribute(dataset, "sampling_rate_hz").value_or(0.0);
+        const Hdf5Handle group = group_of(stored);
+        take_rate(dataset);
+        if (group.valid()) take_rate(group);
+        for (std::size_t i = 0; i < shape->columns; ++i)
+            statements_[stored].push_back(hdf5_statement(dataset, group, i));
+        fill_values_[stored] = hdf5_fill_values(dataset);
+        if (const std::vector<std::string> unused = hdf5_unused_scales(dataset); !unused.empty())
+            table.notes.push_back(
+                fmt::format("the dataset '{}' has the attributes {}, which are not applied: "
+                            "scale_factor in the description does",
+                            name, fmt::join(unused, ", ")));
         last_ = channels_.add_dataset(std::move(dataset), name);
         opened_[stored] = {*shape, last_};
         return shape;
     }
 
-    void add_channel(const std::string& name, const Shape& shape, std::size_t column) {
+    /// The group that a dataset has for itself, in the manner of TDMS; none for one that lies at the top.
+    Hdf5Handle group_of(const std::string& stored) const {
+        const std::size_t slash = stored.rfind('/');
+        if (slash == std::string::npos) return {-1, H5Oclose};
+        return {H5Oopen(root_, stored.substr(0, slash).c_str(), H5P_DEFAULT), H5Oclose};
+    }
+
+    void take_rate(hid_t object) {
+        if (table.sampling_rate_hz > 0.0) return;
+        const std::optional<StatedRate> rate = hdf5_rate(object);
+        if (!rate) return;
+        table.sampling_rate_hz = rate->hz;
+        table.says.sampling_rate_where = rate->where;
+    }
+
+    void add_channel(const std::string& name, const std::string& stored, const Shape& shape, std::size_t column) {
         if (table.names.empty()) length_ = shape.rows;
         if (shape.rows != length_)
             throw ReadError(
@@ -139,6 +171,8 @@ class Hdf5File {
                 fmt::format("'{}' has {} samples and '{}' has {}", table.names.front(), length_, name, shape.rows),
                 "channels of one length");
         table.names.push_back(name);
+        table.says.columns.push_back(statements_[stored][column]);
+        missing_.push_back(fill_values_[stored]);
         channels_.add({last_, shape.sample_axis, shape.channel_axis, column});
     }
 
@@ -148,6 +182,9 @@ class Hdf5File {
     Names names_;
     Hdf5Channels channels_;
     std::map<std::string, std::pair<Shape, std::size_t>> opened_;
+    std::map<std::string, std::vector<ColumnStatement>> statements_;
+    std::map<std::string, std::vector<double>> fill_values_;
+    std::vector<std::vector<double>> missing_;  ///< of each channel
     std::size_t last_ = 0, length_ = 0;
 };
 

@@ -4,10 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "recordings/files/read_error.hpp"
-#include "recordings/files/uff.hpp"
+#include "recordings/loading/load_uff_spectra.hpp"
 #include "recordings/text/csv_dialect.hpp"
 #include "recordings/text/read_csv.hpp"
 #include "recordings/units.hpp"
@@ -56,7 +55,9 @@ void add_scale_lack(Recording& recording) {
 
 }  // namespace
 
-void load_psd(Recording& recording, const ReadLimits& limits) {
+namespace {
+
+void load_csv_densities(Recording& recording, const ReadLimits& limits) {
     const DataTable table = read_csv(recording.file, {}, limits);
     const std::vector<double>& frequency = column(table, "frequency_hz", recording.file);
     check_frequencies(frequency, "frequency_hz", recording.file);
@@ -69,17 +70,26 @@ void load_psd(Recording& recording, const ReadLimits& limits) {
         check_values(spectrum.psd, channel.name, 0.0, recording.file);
         const double factor = squared_factor(recording.description, i);
         for (double& value : spectrum.psd) value *= factor;
-        if (recording.description.averages > 0)
-            for (const double value : spectrum.psd)
-                spectrum.standard_error.push_back(value /
-                                                  std::sqrt(static_cast<double>(recording.description.averages)));
         recording.spectra.push_back(std::move(spectrum));
     }
+    recording.notes.insert(recording.notes.end(), table.notes.begin(), table.notes.end());
+}
+
+}  // namespace
+
+void load_psd(Recording& recording, const ReadLimits& limits) {
+    if (is_universal_file(recording.file))
+        load_uff_densities(recording, limits);
+    else
+        load_csv_densities(recording, limits);
+    const int averages = recording.description.averages;
+    for (ChannelSpectrum& spectrum : recording.spectra)
+        for (std::size_t k = 0; k < spectrum.psd.size() && averages > 0; ++k)
+            spectrum.standard_error.push_back(spectrum.psd[k] / std::sqrt(static_cast<double>(averages)));
     recording.lacks.emplace_back(no_cross_spectra);
-    if (recording.description.averages == 0)
+    if (averages == 0)
         recording.lacks.emplace_back("no number of averages: the significance of a difference is not known");
     recording.lacks.emplace_back("no time series: faults of the sensors cannot be looked for");
-    recording.notes.insert(recording.notes.end(), table.notes.begin(), table.notes.end());
     add_scale_lack(recording);
 }
 
@@ -120,46 +130,11 @@ void load_points(Recording& recording, const ReadLimits& limits) {
     add_scale_lack(recording);
 }
 
-namespace {
-
-void receptance_from_uff(Recording& recording, const ReadLimits& limits) {
-    const std::vector<UffDataset> datasets = read_uff(recording.file, limits);
-    const auto found = std::find_if(datasets.begin(), datasets.end(), [](const UffDataset& d) {
-        return d.function_type == static_cast<int>(UffFunction::frequency_response) && d.complex;
-    });
-    if (found == datasets.end())
-        throw ReadError(recording.file, 0, "no complex frequency response is in the file",
-                        "a dataset 58 of function type 4");
-    const int power = found->ordinate_kind == 8    ? 0
-                      : found->ordinate_kind == 11 ? 1
-                      : found->ordinate_kind == 12 ? 2
-                                                   : -1;
-    if (power < 0)
-        throw ReadError(recording.file, 0, fmt::format("the response has data type {}", found->ordinate_kind),
-                        "displacement (8), velocity (11) or acceleration (12) over force");
-    for (std::size_t i = 0; i < found->size(); ++i) {
-        const double frequency = found->abscissa_at(i);
-        if (!(frequency > 0.0)) continue;
-        const std::complex<double> derivative =
-            std::pow(std::complex<double>(0.0, 2.0 * std::numbers::pi * frequency), power);
-        recording.receptance.frequency_hz.push_back(frequency);
-        recording.receptance.value_m_per_n.push_back(std::complex<double>(found->real[i], found->imaginary[i]) /
-                                                     derivative);
-    }
-    if (datasets.size() > 1)
-        recording.notes.push_back(fmt::format("the first frequency response of {} records was used", datasets.size()));
-}
-
-}  // namespace
-
 void load_receptance(Recording& recording, const ReadLimits& limits) {
     recording.lacks.emplace_back("a track without a vehicle: nothing is known of the vehicle or the irregularity");
     recording.lacks.emplace_back("no standard errors: the significance of a difference is not known");
     const std::string& file = recording.file;
-    if (file.ends_with(".uff") || file.ends_with(".unv")) {
-        receptance_from_uff(recording, limits);
-        return;
-    }
+    if (is_universal_file(file)) return load_uff_receptance(recording, limits);
     const DataTable table = read_csv(file, {}, limits);
     MeasuredReceptance& receptance = recording.receptance;
     receptance.frequency_hz = column(table, "frequency_hz", file);
