@@ -40,6 +40,19 @@ std::optional<Shape> shape_of(hid_t dataset) {
     return shape.rows > 0 && shape.columns > 0 ? std::optional(shape) : std::nullopt;
 }
 
+/// Why a dataset is no channel.
+std::string what_it_is(hid_t dataset) {
+    const Hdf5Handle type(H5Dget_type(dataset), H5Tclose);
+    const H5T_class_t kind = type.valid() ? H5Tget_class(type) : H5T_NO_CLASS;
+    const std::vector<hsize_t> sizes = extents_of(dataset);
+    if (kind == H5T_STRING) return "text";
+    if (kind != H5T_INTEGER && kind != H5T_FLOAT) return "not one of real numbers";
+    if (sizes.empty()) return "a single number, no samples";
+    return std::count(sizes.begin(), sizes.end(), 0U) > 0
+               ? fmt::format("empty ({})", fmt::join(sizes, " x "))
+               : fmt::format("of {} dimensions ({})", sizes.size(), fmt::join(sizes, " x "));
+}
+
 /// Names as they stand in the file, and as UTF-8, which descriptions and messages are.
 struct Names {
     std::vector<std::string> stored, shown;
@@ -85,11 +98,7 @@ class Hdf5File {
         NamedColumn name = named_column(text);
         if (!name.name.empty() && name.name.front() == '/') name.name.erase(0, 1);
         const std::optional<Shape> shape = open(name.name);
-        if (!shape) {
-            if (all_) return;
-            throw ReadError(file_, 0, fmt::format("the dataset '{}' is not one of real numbers", name.name),
-                            "a numeric dataset of one or two dimensions");
-        }
+        if (!shape) return;
         if (name.column > shape->columns || (!all_ && name.column == 0 && shape->columns > 1))
             throw ReadError(
                 file_, 0,
@@ -121,7 +130,7 @@ class Hdf5File {
                                 "a file that holds its numbers itself");
     }
 
-    /// Makes the dataset the last of the source, unless it is already.
+    /// Makes the dataset the last of the source, unless it is already. Nothing when all are read and it is no channel.
     std::optional<Shape> open(const std::string& name) {
         require_own(name);
         const std::string& stored = names_.stored[require_name(name, names_.shown, "dataset", file_, 0)];
@@ -131,7 +140,12 @@ class Hdf5File {
         }
         Hdf5Handle dataset(H5Dopen2(root_, stored.c_str(), H5P_DEFAULT), H5Dclose);
         const std::optional<Shape> shape = dataset.valid() ? shape_of(dataset) : std::nullopt;
-        if (!shape) return std::nullopt;
+        if (!shape && all_) return std::nullopt;
+        if (!shape)
+            throw ReadError(
+                file_, 0,
+                fmt::format("the dataset '{}' is {}", name, dataset.valid() ? what_it_is(dataset) : "damaged"),
+                "a numeric dataset of one or two dimensions");
         const Hdf5Handle group = group_of(stored);
         take_rate(dataset);
         if (group.valid()) take_rate(group);

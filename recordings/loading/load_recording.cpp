@@ -251,7 +251,7 @@ void load_in_sections(const RecordingDescription& description, const fs::path& b
         bare.description.sampling_rate_hz = recording.series.sampling_rate_hz;  // one rate for all sections
         recording.series.start_s = static_cast<double>(done) / recording.series.sampling_rate_hz;
         done += recording.series.size();
-        table = {};
+        table.columns.clear();  // the memory of one section
         work(recording);
     };
     if (format_of(path) != Format::csv) {
