@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "recordings/files/mat_value.hpp"
+#include "recordings/matlab/mat_value.hpp"
 
 namespace railpem::recordings {
 

@@ -1,4 +1,4 @@
-#include "recordings/files/mat_path.hpp"
+#include "recordings/matlab/mat_path.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -5,16 +5,12 @@
 
 #include "recordings/files/hdf5_attribute.hpp"
 #include "recordings/files/hdf5_channels.hpp"
-#include "recordings/files/mat_file.hpp"
+#include "recordings/matlab/mat_file.hpp"
 #include "recordings/files/read_error.hpp"
 #include "recordings/files/text_encoding.hpp"
 
 namespace railpem::recordings {
 namespace {
-
-/// Deeper or wider than anything that was measured: a file that only costs time.
-constexpr int most_levels = 32;
-constexpr std::size_t most_values = 100000;
 
 extern "C" herr_t collect_hard_link(hid_t, const char* name, const H5L_info_t* info, void* names) {
     if (info->type == H5L_TYPE_HARD) static_cast<std::vector<std::string>*>(names)->emplace_back(name);
@@ -89,7 +85,7 @@ class Mat73File : public MatFile {
     }
 
     MatValue value_of(hid_t object, int level) {
-        if (level > most_levels || ++values_ > most_values)
+        if (level > most_mat_levels || ++values_ > most_mat_values)
             throw ReadError(file_, 0, "too many values within each other", "a file of fewer values");
         const std::string name = text_attribute(object, "MATLAB_class").value_or("");
         if (H5Iget_type(object) == H5I_GROUP) return group_value(object, name, level);
@@ -139,7 +135,7 @@ class Mat73File : public MatFile {
     std::vector<MatValue> referenced(hid_t dataset, int level) {
         const Hdf5Handle space(H5Dget_space(dataset), H5Sclose);
         const hssize_t count = space.valid() ? H5Sget_simple_extent_npoints(space) : 0;
-        if (count < 0 || static_cast<std::size_t>(count) > most_values)
+        if (count < 0 || static_cast<std::size_t>(count) > most_mat_values)
             throw ReadError(file_, 0, "too many values within each other", "a file of fewer values");
         require_readable(dataset, "of references", file_);
         std::vector<hobj_ref_t> references(static_cast<std::size_t>(count));

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "recordings/files/byte_stream.hpp"
-#include "recordings/files/mat_value.hpp"
+#include "recordings/matlab/byte_stream.hpp"
+#include "recordings/matlab/mat_value.hpp"
 
 namespace railpem::recordings {
 

@@ -1,4 +1,4 @@
-#include "recordings/files/stored_numbers.hpp"
+#include "recordings/matlab/stored_numbers.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 namespace railpem::recordings {
 namespace {
 
-constexpr std::size_t numbers_at_once = 8192;
+constexpr std::size_t numbers_per_read = 8192;
 
 /// Every `step`-th of the numbers in the bytes, from the first.
 template <class Number>
@@ -44,7 +44,7 @@ void append_numbers(ByteStream& stream, const StoredNumbers& stored, const MatCo
     const std::size_t size = bytes_of(stored.type);
     const Append append = append_of(stored.type);
     const std::size_t step = channel.step;
-    const std::size_t wanted_at_once = std::max<std::size_t>(1, numbers_at_once / step);
+    const std::size_t wanted_at_once = std::max<std::size_t>(1, numbers_per_read / step);
     std::vector<char> bytes;
     for (std::size_t done = 0; done < count;) {
         const std::size_t now = std::min(wanted_at_once, count - done);

@@ -1,4 +1,4 @@
-#include "recordings/files/byte_stream.hpp"
+#include "recordings/matlab/byte_stream.hpp"
 
 #include <fmt/format.h>
 #include <zlib.h>

@@ -4,8 +4,8 @@
 #include <array>
 #include <fstream>
 
-#include "recordings/files/mat_file.hpp"
-#include "recordings/files/mat_path.hpp"
+#include "recordings/matlab/mat_file.hpp"
+#include "recordings/matlab/mat_path.hpp"
 #include "recordings/files/read_error.hpp"
 #include "recordings/files/read_unprotected.hpp"
 #include "recordings/files/send_blocks.hpp"

@@ -6,18 +6,16 @@
 #include <map>
 #include <optional>
 
-#include "recordings/files/mat_file.hpp"
+#include "recordings/matlab/mat_file.hpp"
 #include "recordings/files/read_error.hpp"
-#include "recordings/files/stored_numbers.hpp"
+#include "recordings/matlab/stored_numbers.hpp"
 #include "recordings/files/text_encoding.hpp"
 
 namespace railpem::recordings {
 namespace {
 
 constexpr std::uint64_t header_bytes = 128;
-/// Deeper or wider than anything that was measured: a file that only costs time.
-constexpr int most_levels = 32;
-constexpr std::size_t most_values = 1000000, most_dimensions = 32, longest_name = 4096;
+constexpr std::size_t most_dimensions = 32;
 
 /// Types of the format (table 1-1) that occur as tags.
 enum : std::uint32_t { tag_matrix = 14, tag_compressed = 15 };
@@ -121,7 +119,7 @@ class Mat5Walk {
     }
 
     std::string text(const Tag& part) {
-        if (part.bytes > longest_name) fail("a name of more than 4096 letters");
+        if (part.bytes > longest_mat_name) fail("a name of more than 4096 letters");
         std::string letters(part.bytes, '\0');
         stream_.seek(part.data);
         stream_.read(letters.data(), letters.size());
@@ -144,7 +142,7 @@ class Mat5Walk {
     }
 
     MatVariable content(const Tag& whole, int level) {
-        if (level > most_levels || ++values_ > most_values) fail("too many values within each other");
+        if (level > most_mat_levels || ++values_ > most_mat_values) fail("too many values within each other");
         const Tag flags = within(whole);
         if (flags.bytes != 8) fail("a matrix without its class");
         const std::uint32_t flag_word = word();
@@ -189,7 +187,7 @@ class Mat5Walk {
         const std::uint32_t length = word();
         stream_.seek(length_tag.end);
         const Tag names = within(whole);
-        if (length == 0 || length > longest_name || names.bytes > most_values) fail("field names that cannot be");
+        if (length == 0 || length > longest_mat_name || names.bytes > most_mat_values) fail("field names that cannot be");
         std::string letters(names.bytes, '\0');
         stream_.seek(names.data);
         stream_.read(letters.data(), letters.size());

@@ -5,9 +5,13 @@
 #include <vector>
 
 #include "recordings/files/data_table.hpp"
-#include "recordings/files/mat_value.hpp"
+#include "recordings/matlab/mat_value.hpp"
 
 namespace railpem::recordings {
+
+/// Deeper, wider or longer than anything that was measured: a file that only costs time.
+inline constexpr int most_mat_levels = 32;
+inline constexpr std::size_t most_mat_values = 100000, longest_mat_name = 4096;
 
 /// An open MATLAB file: what it holds, and the numbers of its channels by blocks. All members throw ReadError.
 class MatFile {

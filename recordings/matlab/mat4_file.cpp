@@ -3,14 +3,12 @@
 #include <bit>
 #include <filesystem>
 
-#include "recordings/files/mat_file.hpp"
+#include "recordings/matlab/mat_file.hpp"
 #include "recordings/files/read_error.hpp"
-#include "recordings/files/stored_numbers.hpp"
+#include "recordings/matlab/stored_numbers.hpp"
 
 namespace railpem::recordings {
 namespace {
-
-constexpr std::uint32_t longest_name = 4096;
 
 /// The five numbers in front of every matrix.
 struct Mat4Header {
@@ -49,7 +47,7 @@ class Mat4File : public MatFile {
                                            NumberType::int16,        NumberType::uint16,       NumberType::uint8};
         const std::uint32_t machine = header.type / 1000, precision = header.type / 10 % 10, kind = header.type % 10;
         if (machine > 1 || header.type / 100 % 10 != 0 || precision > 5 || kind > 2 || header.imaginary > 1 ||
-            header.name_bytes == 0 || header.name_bytes > longest_name)
+            header.name_bytes == 0 || header.name_bytes > longest_mat_name)
             fail_kind();
         std::string name(header.name_bytes, '\0');
         stream_->read(name.data(), name.size());
