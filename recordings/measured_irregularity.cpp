@@ -27,7 +27,7 @@ struct TwoColumns {
 
 TwoColumns read_columns(const std::string& file, const std::string& x_name, const std::string& y_name,
                         const ReadLimits& limits) {
-    CsvReader reader(file, limits);
+    CsvReader reader(file, limits, {x_name, y_name});
     reader.select({require_name(x_name, reader.names(), "column", file, reader.header_line()),
                    require_name(y_name, reader.names(), "column", file, reader.header_line())});
     TwoColumns table{.file = file};

@@ -10,6 +10,7 @@
 #include "app/schema/sweep_schema.hpp"
 #include "app/verbs/verbs.hpp"
 #include "pem/rail/case_equilibrium.hpp"
+#include "recordings/files/visible_text.hpp"
 #include "recordings/loading/load_recording.hpp"
 
 namespace railpem::app {
@@ -22,7 +23,7 @@ bool is_sweep(const Document& document) {
 }
 
 int valid(const std::string& path, const std::string& kind, const std::string& title) {
-    fmt::print("{}: a valid {}{}{}\n", path, kind, title.empty() ? "" : ": ", title);
+    fmt::print("{}: a valid {}{}{}\n", recordings::visible(path), kind, title.empty() ? "" : ": ", title);
     return 0;
 }
 

@@ -26,7 +26,8 @@ struct FileStatements {
     std::vector<ColumnStatement> columns;  ///< empty, or one per column of the table
     std::string sampling_rate_where;       ///< where DataTable::sampling_rate_hz is said; empty: in the header
     std::string start;                     ///< date and time of the first sample, as written there; empty: not said
-    std::size_t promised_rows = 0;         ///< samples per column that its header promises; 0: it promises none
+    std::size_t held_rows = 0;      ///< samples per column in the file; 0: those of the table, which is not a block
+    std::size_t promised_rows = 0;  ///< samples per column that its header promises; 0: it promises none
 };
 
 }  // namespace railpem::recordings

@@ -59,6 +59,7 @@ void write_statements(int pipe, const FileStatements& says) {
     write_text(pipe, says.sampling_rate_where);
     write_text(pipe, says.start);
     write_plain(pipe, says.promised_rows);
+    write_plain(pipe, says.held_rows);
     write_plain(pipe, says.columns.size());
     for (const ColumnStatement& column : says.columns) {
         write_text(pipe, column.unit);
@@ -229,7 +230,7 @@ class Answers {
     bool read_statements(FileStatements& says, std::size_t columns) {
         std::size_t count = 0;
         if (!read_text(says.sampling_rate_where) || !read_text(says.start) || !read_plain(says.promised_rows) ||
-            !read_plain(count) || count > columns)
+            !read_plain(says.held_rows) || !read_plain(count) || count > columns)
             return false;
         says.columns.resize(count);
         for (ColumnStatement& column : says.columns) {

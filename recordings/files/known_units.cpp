@@ -128,7 +128,26 @@ std::string normalised_unit(std::string_view unit) {
     return text;
 }
 
+std::string amplitude_unit(std::string_view density) {
+    std::string text = normalised_unit(density);
+    for (const char* same : {"m^2/s^3", "m^2/s^4/Hz", "m2/s^4/Hz", "m2/s3", "m^2*s^-3"})
+        if (text == same) return "m/s^2";
+    constexpr std::string_view per_hertz = "/Hz", square = "^2";
+    if (!text.ends_with(per_hertz)) return "";
+    text.resize(text.size() - per_hertz.size());
+    if (text.ends_with(square)) {
+        text.resize(text.size() - square.size());
+    } else if (const std::size_t at = text.find("^2/"); at != std::string::npos && text.ends_with("^2")) {
+        text.erase(at, square.size());
+    }
+    if (text.size() >= 2 && is_closed_by(text.front(), text.back())) text = text.substr(1, text.size() - 2);
+    // "mm^2/s^2/Hz" is the square of mm/s.
+    if (const std::size_t at = text.find("^2/"); at != std::string::npos) text.erase(at, square.size());
+    return units().contains(text) ? text : "";
+}
+
 std::optional<KnownUnit> known_unit(std::string_view unit) {
+    if (unit.size() > 2 && !amplitude_unit(unit).empty()) return KnownUnit{};
     std::string plain(unit);
     replace_all(plain, " ", "");
     for (const std::string& spelling : {normalised_unit(unit), plain}) {

@@ -23,6 +23,10 @@ struct KnownUnit {
 /// around the unit are taken off.
 std::optional<KnownUnit> known_unit(std::string_view unit);
 
+/// The unit whose square per Hz a unit of a spectral density is: "g^2/Hz" → "g", "(m/s²)²/Hz" and "m^2/s^3" → "m/s^2".
+/// Empty: it is no such unit.
+std::string amplitude_unit(std::string_view density);
+
 /// One spelling for the many: no blanks, no brackets, "µ" and "μ" are u, "²" and "**2" are ^2, "s2" is s^2.
 std::string normalised_unit(std::string_view unit);
 

@@ -22,6 +22,7 @@ inline void send_blocks(DataTable& table, std::size_t length, std::size_t rows, 
             file, 0, fmt::format("{} channels of {} samples are too many", columns, length),
             fmt::format("at most {} channels, {} MB of numbers", limits.columns, limits.memory_bytes >> 20));
     table.columns.assign(columns, {});
+    table.says.held_rows = length;
     for (std::size_t begin = 0; begin < length || begin == 0; begin += block) {
         for (auto& column : table.columns) {
             column.clear();

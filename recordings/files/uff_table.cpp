@@ -157,7 +157,9 @@ void uff_time_blocks(const std::string& file, const std::vector<std::string>& wa
         take(whole);
         return;
     }
-    DataTable block = whole;
+    whole.says.held_rows = whole.rows();
+    DataTable block;
+    block.notes = whole.notes;
     for (std::size_t begin = 0; begin < whole.rows(); begin += rows) {
         const std::size_t end = std::min(whole.rows(), begin + rows);
         block.names = whole.names;  // the one who takes a block may empty it
@@ -168,6 +170,7 @@ void uff_time_blocks(const std::string& file, const std::vector<std::string>& wa
             block.columns.emplace_back(column.begin() + static_cast<std::ptrdiff_t>(begin),
                                        column.begin() + static_cast<std::ptrdiff_t>(end));
         take(block);
+        block.notes.clear();
     }
 }
 

@@ -10,6 +10,7 @@
 #include "parameters/parameter_error.hpp"
 #include "recordings/checks/checks.hpp"
 #include "recordings/estimates/decimate.hpp"
+#include "recordings/files/visible_text.hpp"
 #include "recordings/inspection/inspection_steps.hpp"
 #include "recordings/inspection/spectrogram.hpp"
 #include "recordings/stated_speed.hpp"
@@ -170,8 +171,8 @@ void take_irregularity(const MeasuredIrregularity& brought, InspectionReport& re
 
 InspectionReport header(const Recording& recording) {
     InspectionReport report;
-    report.title = recording.description.title;
-    report.file = recording.file;
+    report.title = visible(recording.description.title);
+    report.file = visible(recording.file);
     report.start = recording.start;
     report.kind = recording.description.kind;
     report.faults = recording.contradictions;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "recordings/files/visible_text.hpp"
 #include "recordings/inspection/inspection_words.hpp"
 #include "recordings/inspection/inspection_writers.hpp"
 #include "recordings/units.hpp"
@@ -112,7 +113,7 @@ std::string to_text(const InspectionReport& report) {
     list("Not checked", report.not_checked);
     list("What this recording cannot tell", report.lacks);
     list("Notes", report.notes);
-    return out;
+    return visible_lines(out);  // names and words of the data file are among it
 }
 
 }  // namespace railpem::recordings

@@ -6,7 +6,9 @@
 #include <cmath>
 
 #include "recordings/files/read_error.hpp"
+#include "recordings/loading/hold_against_file.hpp"
 #include "recordings/loading/load_uff_spectra.hpp"
+#include "recordings/text/column_address.hpp"
 #include "recordings/text/csv_dialect.hpp"
 #include "recordings/text/read_csv.hpp"
 #include "recordings/units.hpp"
@@ -46,6 +48,29 @@ double squared_factor(const RecordingDescription& description, std::size_t chann
     return factor * factor;
 }
 
+/// What the file says of a column of densities, as of the amplitude behind it; a unit that is none of a density says
+/// nothing.
+ColumnStatement amplitude_statement(const ColumnStatement& density) {
+    ColumnStatement amplitude = density;
+    amplitude.unit = amplitude_unit(density.unit);
+    return amplitude;
+}
+
+/// One spectrum in SI units; what file and description say of its unit is held together.
+ChannelSpectrum spectrum_of(std::size_t i, const DataTable& table, const std::vector<double>& frequency,
+                            Recording& recording) {
+    ChannelDescription channel = recording.description.channels[i];
+    const std::size_t at = find_column(channel.column.empty() ? channel.name : channel.column,
+                                       {.names = table.names, .line = 1}, recording.file);
+    const Conversion conversion =
+        conversion_of(channel, amplitude_statement(table.says.columns[at]), fmt::format("channel[{}]", i + 1));
+    if (conversion.contradiction) recording.contradictions.push_back(*conversion.contradiction);
+    check_values(table.columns[at], channel.name, 0.0, recording.file);
+    ChannelSpectrum spectrum{channel, frequency, table.columns[at], {}, conversion.says};
+    for (double& value : spectrum.psd) value *= conversion.factor * conversion.factor;
+    return spectrum;
+}
+
 void add_scale_lack(Recording& recording) {
     for (const ChannelDescription& channel : recording.description.channels)
         if (channel.scale == Scale::unknown)
@@ -62,14 +87,7 @@ void load_csv_densities(Recording& recording, const ReadLimits& limits) {
     const std::vector<double>& frequency = column(table, "frequency_hz", recording.file);
     check_frequencies(frequency, "frequency_hz", recording.file);
     for (std::size_t i = 0; i < recording.description.channels.size(); ++i) {
-        const ChannelDescription& channel = recording.description.channels[i];
-        ChannelSpectrum spectrum{channel,
-                                 frequency,
-                                 column(table, channel.column.empty() ? channel.name : channel.column, recording.file),
-                                 {}};
-        check_values(spectrum.psd, channel.name, 0.0, recording.file);
-        const double factor = squared_factor(recording.description, i);
-        for (double& value : spectrum.psd) value *= factor;
+        ChannelSpectrum spectrum = spectrum_of(i, table, frequency, recording);
         recording.spectra.push_back(std::move(spectrum));
     }
     recording.notes.insert(recording.notes.end(), table.notes.begin(), table.notes.end());
@@ -103,11 +121,11 @@ void load_points(Recording& recording, const ReadLimits& limits) {
     std::vector<std::string> names;
     for (const ChannelDescription& channel : recording.description.channels) {
         names.push_back(channel.column.empty() ? channel.name : channel.column);
-        recording.spectra.push_back({channel, {}, {}, {}});
+        recording.spectra.push_back({channel, {}, {}, {}, {}});
     }
     const auto number = [&](std::size_t row, std::size_t at) {
         double value = 0.0;
-        if (!parse_number(rows[row][at], false, value) || !(value >= 0.0))
+        if (!parse_number(rows[row][at], {}, value) || !(value >= 0.0))
             throw ReadError(file, row + 1,
                             fmt::format("'{}' is not a number, or less than 0", rows[row][at].substr(0, 60)),
                             "a number that is not negative");

@@ -3,8 +3,8 @@
 #include <bit>
 #include <filesystem>
 
-#include "recordings/matlab/mat_file.hpp"
 #include "recordings/files/read_error.hpp"
+#include "recordings/matlab/mat_file.hpp"
 #include "recordings/matlab/stored_numbers.hpp"
 
 namespace railpem::recordings {

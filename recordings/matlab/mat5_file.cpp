@@ -6,10 +6,10 @@
 #include <map>
 #include <optional>
 
-#include "recordings/matlab/mat_file.hpp"
 #include "recordings/files/read_error.hpp"
-#include "recordings/matlab/stored_numbers.hpp"
 #include "recordings/files/text_encoding.hpp"
+#include "recordings/matlab/mat_file.hpp"
+#include "recordings/matlab/stored_numbers.hpp"
 
 namespace railpem::recordings {
 namespace {
@@ -187,7 +187,8 @@ class Mat5Walk {
         const std::uint32_t length = word();
         stream_.seek(length_tag.end);
         const Tag names = within(whole);
-        if (length == 0 || length > longest_mat_name || names.bytes > most_mat_values) fail("field names that cannot be");
+        if (length == 0 || length > longest_mat_name || names.bytes > most_mat_values)
+            fail("field names that cannot be");
         std::string letters(names.bytes, '\0');
         stream_.seek(names.data);
         stream_.read(letters.data(), letters.size());

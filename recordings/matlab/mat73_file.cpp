@@ -5,9 +5,9 @@
 
 #include "recordings/files/hdf5_attribute.hpp"
 #include "recordings/files/hdf5_channels.hpp"
-#include "recordings/matlab/mat_file.hpp"
 #include "recordings/files/read_error.hpp"
 #include "recordings/files/text_encoding.hpp"
+#include "recordings/matlab/mat_file.hpp"
 
 namespace railpem::recordings {
 namespace {

@@ -4,11 +4,11 @@
 #include <array>
 #include <fstream>
 
-#include "recordings/matlab/mat_file.hpp"
-#include "recordings/matlab/mat_path.hpp"
 #include "recordings/files/read_error.hpp"
 #include "recordings/files/read_unprotected.hpp"
 #include "recordings/files/send_blocks.hpp"
+#include "recordings/matlab/mat_file.hpp"
+#include "recordings/matlab/mat_path.hpp"
 
 namespace railpem::recordings {
 namespace {

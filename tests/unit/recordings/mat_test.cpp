@@ -16,13 +16,13 @@ namespace {
 
 using testing::ScratchFolder;
 
-constexpr std::size_t samples = 40;
+constexpr std::size_t mat_rows = 40;
 
-/// A column of `samples` numbers that begin at `first`.
+/// A column of `mat_rows` numbers that begin at `first`.
 matvar_t* column(const char* name, double first) {
     std::vector<double> x;
-    for (std::size_t i = 0; i < samples; ++i) x.push_back(first + static_cast<double>(i));
-    std::size_t sizes[] = {samples, 1};
+    for (std::size_t i = 0; i < mat_rows; ++i) x.push_back(first + static_cast<double>(i));
+    std::size_t sizes[] = {mat_rows, 1};
     return Mat_VarCreate(name, MAT_C_DOUBLE, MAT_T_DOUBLE, 2, sizes, x.data(), 0);
 }
 
@@ -49,17 +49,18 @@ matvar_t* array_of_structures() {
 
 void write_containers(const std::string& file, mat_ft version, matio_compression compression) {
     mat_t* mat = Mat_CreateVer(file.c_str(), nullptr, version);
-    std::size_t two[] = {1, 2}, wide[] = {2, samples}, long_sides[] = {samples, 1}, nothing[] = {0, 0}, one[] = {1, 1};
+    std::size_t two[] = {1, 2}, wide[] = {2, mat_rows}, long_sides[] = {mat_rows, 1}, nothing[] = {0, 0},
+                one[] = {1, 1};
     matvar_t* cells[] = {column(nullptr, 1.0), column(nullptr, 2.0)};
     put(mat, Mat_VarCreate("sig", MAT_C_CELL, MAT_T_CELL, 2, two, cells, 0), compression);
     put(mat, array_of_structures(), compression);
     std::vector<float> rows;
-    for (std::size_t i = 0; i < samples; ++i) {
+    for (std::size_t i = 0; i < mat_rows; ++i) {
         rows.push_back(static_cast<float>(i));
         rows.push_back(-static_cast<float>(i));
     }
     put(mat, Mat_VarCreate("rows", MAT_C_SINGLE, MAT_T_SINGLE, 2, wide, rows.data(), 0), compression);
-    std::vector<double> re(samples, 1.0), im(samples, 2.0);
+    std::vector<double> re(mat_rows, 1.0), im(mat_rows, 2.0);
     mat_complex_split_t both{re.data(), im.data()};
     put(mat, Mat_VarCreate("z", MAT_C_DOUBLE, MAT_T_DOUBLE, 2, long_sides, &both, MAT_F_COMPLEX), compression);
     put(mat, Mat_VarCreate("none", MAT_C_DOUBLE, MAT_T_DOUBLE, 2, nothing, nullptr, 0), compression);
@@ -91,11 +92,11 @@ INSTANTIATE_TEST_SUITE_P(AllVersions, MatContainers,
 
 TEST_P(MatContainers, ElementsOfCellsAndOfArraysOfStructuresAreChannels) {
     const DataTable table = read_mat(file(), {"sig{2}", "Signal(1).y.values", "Signal(1,2).y.values", "sig{1,1}"});
-    ASSERT_EQ(table.rows(), samples);
+    ASSERT_EQ(table.rows(), mat_rows);
     EXPECT_EQ(table.columns[0][0], 2.0);
     EXPECT_EQ(table.columns[1][3], 103.0);
     EXPECT_EQ(table.columns[2][0], 200.0);
-    EXPECT_EQ(table.columns[3].back(), 1.0 + samples - 1.0);
+    EXPECT_EQ(table.columns[3].back(), 1.0 + mat_rows - 1.0);
 }
 
 TEST_P(MatContainers, NoElementIsTakenForAnother) {
@@ -112,7 +113,7 @@ TEST_P(MatContainers, NoElementIsTakenForAnother) {
 
 TEST_P(MatContainers, TheShorterSideCountsChannels) {
     const DataTable table = read_mat(file(), {"rows:2", "rows(1,:)", "sig{1}"});
-    ASSERT_EQ(table.rows(), samples);
+    ASSERT_EQ(table.rows(), mat_rows);
     EXPECT_EQ(table.columns[0][7], -7.0);
     EXPECT_EQ(table.columns[1][7], 7.0);
     ASSERT_EQ(table.notes.size(), 1U);
@@ -166,7 +167,7 @@ TEST(Mat, NumbersThatAreNotThereAreNotRead) {
     Mat_Close(mat);
     std::fstream file(folder.file("a.mat"), std::ios::in | std::ios::out | std::ios::binary);
     file.seekp(128 + 8 + 16 + 8);
-    const std::int32_t more = 4 * samples;
+    const std::int32_t more = 4 * mat_rows;
     file.write(reinterpret_cast<const char*>(&more), sizeof more);
     file.close();
     EXPECT_NE(refusal(folder.file("a.mat"), "a").find("cut short: 40 of its 160 numbers are there"), std::string::npos);
@@ -187,8 +188,8 @@ void attach(hid_t object, const char* name, const std::string& text) {
 TEST(Mat, OfVersionSevenThreeByOtherProgramsIsRead) {
     const ScratchFolder folder;
     const hid_t root = H5Fcreate(folder.file("a.mat").c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
-    const hsize_t sizes[] = {2, samples}, single[] = {1, 1};
-    std::vector<double> x(2 * samples);
+    const hsize_t sizes[] = {2, mat_rows}, single[] = {1, 1};
+    std::vector<double> x(2 * mat_rows);
     for (std::size_t i = 0; i < x.size(); ++i) x[i] = static_cast<double>(i);
     const auto dataset = [&](hid_t place, const char* name, const hsize_t* size, const double* values) {
         const hid_t space = H5Screate_simple(2, size, nullptr);
@@ -206,7 +207,7 @@ TEST(Mat, OfVersionSevenThreeByOtherProgramsIsRead) {
     H5Gclose(group);
     H5Fclose(root);
     const DataTable table = read_mat(folder.file("a.mat"), {"run.y:2", "acc:1", "acc(:,2)"});
-    ASSERT_EQ(table.rows(), samples);
+    ASSERT_EQ(table.rows(), mat_rows);
     EXPECT_EQ(table.columns[0][0], 40.0);
     EXPECT_EQ(table.columns[1][1], 1.0);
     EXPECT_EQ(table.columns[2], table.columns[0]);
