@@ -3,9 +3,11 @@
 #include <chrono>
 
 #include "diagnosis/findings/refit_on_all.hpp"
+#include "diagnosis/findings/say_spoiled.hpp"
 #include "diagnosis/findings/write_up.hpp"
 #include "diagnosis/judge/ground_resonance.hpp"
 #include "diagnosis/judge/model_error.hpp"
+#include "diagnosis/judge/spoiled_values.hpp"
 #include "diagnosis/judge/verdict.hpp"
 #include "diagnosis/model/effort.hpp"
 #include "diagnosis/model/wheel_unloading.hpp"
@@ -96,7 +98,9 @@ Diagnosis written_up(const Inquiry& inquiry, const NamingResult& naming, const P
 Diagnosis diagnose(const BelievedCase& believed, const std::vector<Observation>& observations,
                    const DiagnoseOptions& options) {
     const auto begin = std::chrono::steady_clock::now();
-    Usable usable(observations);
+    std::vector<Observation> as_meant = observations;
+    const std::vector<SpoiledChannel> spoiled = undo_spoiling(believed, as_meant);
+    Usable usable(as_meant);
     Effort effort;
     const LikelihoodContext context{.believed = &believed,
                                     .observations = &usable.observations,
@@ -118,6 +122,7 @@ Diagnosis diagnose(const BelievedCase& believed, const std::vector<Observation>&
     const Refitted refitted = refit_on_all(believed, context, naming, study, decision);
     Diagnosis result = written_up(inquiry, naming, study, decision, refitted);
     result.remains.insert(result.remains.end(), usable.left_out.begin(), usable.left_out.end());
+    say_spoiled(spoiled, result);
     result.seconds_taken = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return result;
 }

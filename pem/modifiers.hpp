@@ -7,6 +7,7 @@
 
 #include "lanes/factor_curve.hpp"
 #include "pem/force_spectrum.hpp"
+#include "spectra/log_spline.hpp"
 #include "track/track_modifiers.hpp"
 #include "vehicle/vehicle_modifiers.hpp"
 
@@ -37,6 +38,15 @@ struct Modifiers {
     std::map<std::string, lanes::FactorCurve> sensors;  ///< on the transfer of a channel, not on its noise
     ForceSpectrum primary_forces, secondary_forces;     ///< of every element of the stage, beside its law
     WheelsOwn wheels_own;
+    /// the same by wavelength, as a logarithm of the share: where the contact line wanders and seats scatter, at every
+    /// speed alike; no nodes: nothing
+    spectra::LogSpline met_alone;
+
+    /// Share of the irregularity's power at a frequency > 0 that each wheel meets by itself.
+    double share_met_alone(double frequency_hz, double speed_m_per_s) const {
+        return wheels_own.at(frequency_hz) + (met_alone.empty() ? 0.0 : met_alone.at(speed_m_per_s / frequency_hz));
+    }
+    bool has_met_alone() const { return !wheels_own.empty() || !met_alone.empty(); }
 };
 
 }  // namespace railpem::pem

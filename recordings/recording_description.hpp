@@ -23,6 +23,7 @@ struct ChannelDescription {
     std::optional<double>
         scale_factor;  ///< number in the file × this = value in `unit`; empty: as the file says, else 1
     Scale scale = Scale::known;
+    double gain_standard_error = 0.01;  ///< relative, of the sensor's calibration; 0: exact
     Location location = Location::none;
     int index = 0;  ///< wheel 1…4, bogie 1…2, rail: under wheel n; 0 for the body
     Side side = Side::unstated;

@@ -69,6 +69,8 @@ Fields<ChannelDescription> channel_fields() {
              "unit"),
         scale_factor_field(),
         choice(&C::scale, "scale", {"known", "unknown"}, "unknown: the unit cannot be trusted, levels say nothing"),
+        number(&C::gain_standard_error, "gain_standard_error", "1", between(0.0, 0.5),
+               "relative standard error of the sensor's calibration; 0: exact"),
         choice(&C::location, "location", {"none", "body", "bogie", "wheel", "rail"},
                "where the sensor sits; wheel is the axle box"),
         integer(&C::index, "index", between(1, 4),

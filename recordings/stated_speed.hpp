@@ -6,8 +6,10 @@
 namespace railpem::recordings {
 
 struct StatedSpeed {
-    double m_per_s = 0.0;         ///< 0: not stated
-    double standard_error = 0.0;  ///< m/s; 0: not stated
+    double m_per_s = 0.0;                                ///< 0: not stated
+    double standard_error = 0.0;                         ///< m/s; 0: not stated
+    bool from_channel = false;                           ///< the description is silent
+    double lowest_m_per_s = 0.0, highest_m_per_s = 0.0;  ///< of the channel; the stated one without one
 };
 
 /// That of the description; without one the mean of the speed channel, known as well as its values scatter, but to no

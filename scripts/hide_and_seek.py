@@ -15,6 +15,7 @@ import math
 import os
 import random
 import resource
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -58,6 +59,8 @@ def arguments():
     parser.add_argument("--effects", nargs="*", default=list(HIDDEN | OUTSIDE))
     parser.add_argument("--speeds", nargs="*", default=["15", "22.2222", "33"])
     parser.add_argument("--threads", default="1")
+    parser.add_argument("--world", default="ideal", help="grade of the recordings, as for simulate")
+    parser.add_argument("--keep", help="folder for every trial's diagnosis.json")
     parser.add_argument("--numbers", choices=["even", "believed"], default="even",
                         help="how the numbers are off: evenly within their tolerances, or as the fit believes them (the logarithm Gaussian, a tolerance its deviation)")
     return parser.parse_args()
@@ -78,6 +81,7 @@ def march_hidden(options, name, hidden, seed, folder, case=CASE, uncertain=UNCER
     for i, speed in enumerate(options.speeds):
         runs.append(os.path.join(folder, "run_" + speed))
         command = [options.railpem, "simulate", case, "--seconds", "60", "--seed", str(100 * seed + i), "--speed", speed, "--noise", "0.02",
+                   "--world", options.world,
                    "--out", runs[-1], "--truth", runs[-1] + ".json"] + hide
         for key, value in numbers.items():
             command += ["--set", f"{key}={value:.9g}"]
@@ -95,6 +99,9 @@ def judged(options, effect, seed):
         cost = {"wall_s": f"{time.time() - begin:.0f}", "cpu_s": f"{cpu_s() - used:.0f}", "program": commit()}
         with open(os.path.join(folder, "out", "diagnosis.json")) as file:
             found = json.load(file)
+        if options.keep:
+            os.makedirs(options.keep, exist_ok=True)
+            shutil.copy(os.path.join(folder, "out", "diagnosis.json"), os.path.join(options.keep, f"{effect}_{seed}.json"))
     return line_of(effect, seed, options, truth, numbers, found) | cost
 
 

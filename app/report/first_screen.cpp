@@ -75,6 +75,15 @@ std::string hidden_tile(const Diagnosis& diagnosis) {
                             diagnosis.retuned_numbers.size()));
 }
 
+/// What of the recordings the model does not have and no name is needed for: the first stands for the wheels.
+std::string imperfection_tile(const Diagnosis& diagnosis) {
+    if (diagnosis.imperfections.empty()) return "";
+    const diagnosis::Imperfection* own = &diagnosis.imperfections.front();
+    if (own->where != "wheel") return "";
+    return tile("Met by each wheel alone", figure(100.0 * own->share_of_power, 2) + " %",
+                "of the power of the irregularity; the rest all wheels meet one after the other");
+}
+
 /// Of what the verdict says: the named set, nothing, or something without a name. NaN where several sets are named.
 double verdict_probability(const Diagnosis& diagnosis) {
     std::vector<std::string> named;
@@ -120,7 +129,7 @@ std::string first_screen(const Diagnosis& diagnosis) {
     std::string out = "<header class=\"hero " + verdict_name(diagnosis.verdict) + "\">" + badge(diagnosis) + "<h1>" +
                       headline(diagnosis) + "</h1>\n<p>" + escaped(diagnosis.statement) + "</p></header>\n";
     out += "<ul class=\"facts\">" + place_tile(diagnosis) + strength_tile(diagnosis) + misfit_tile(diagnosis) +
-           alternative_tile(diagnosis) + hidden_tile(diagnosis) + "</ul>\n";
+           alternative_tile(diagnosis) + hidden_tile(diagnosis) + imperfection_tile(diagnosis) + "</ul>\n";
     out += "<section class=\"where\"><div class=\"panel\"><h2>" +
            std::string(diagnosis.places.empty() ? "Vehicle and track" : "Where it is") + "</h2>" +
            vehicle_drawing(diagnosis) + place_bars(diagnosis);

@@ -104,6 +104,11 @@ Json recording_json(const diagnosis::UsedRecording& used) {
             {"speed_m_per_s", or_null(used.speed_m_per_s)},
             {"speed_low_m_per_s", or_null(used.speed_low)},
             {"speed_high_m_per_s", or_null(used.speed_high)},
+            {"speed",
+             {{"mean_m_per_s", or_null(used.speed_m_per_s)},
+              {"lowest_m_per_s", or_null(used.observed_speed.lowest_m_per_s)},
+              {"highest_m_per_s", or_null(used.observed_speed.highest_m_per_s)},
+              {"read_from", used.observed_speed.read_from}}},
             {"stated_speed_m_per_s", or_null(used.stated_speed_m_per_s)},
             {"payload_kg", or_null(used.payload_kg)},
             {"seconds", or_null(used.seconds)},
@@ -155,6 +160,16 @@ Json curve_json(const diagnosis::InferredCurve& curve) {
             {"diagnosed", complex_json(curve.diagnosed)}};
 }
 
+Json imperfection_json(const diagnosis::Imperfection& own) {
+    Json json = {{"where", own.where}};
+    if (!own.channel.empty()) json["channel"] = own.channel;
+    json["share_of_power"] = or_null(own.share_of_power);
+    json["low"] = or_null(own.low);
+    json["high"] = or_null(own.high);
+    json["says"] = own.says;
+    return json;
+}
+
 }  // namespace
 
 std::string diagnosis_json(const Diagnosis& diagnosis) {
@@ -173,6 +188,7 @@ std::string diagnosis_json(const Diagnosis& diagnosis) {
     json["rivals"] = array_of(diagnosis.rivals, rival_json);
     json["places"] = array_of(diagnosis.places, place);
     json["mismatch"] = array_of(diagnosis.mismatch, mismatch_json);
+    json["imperfection"] = array_of(diagnosis.imperfections, imperfection_json);
     json["fit"] = fit_json(diagnosis);
     json["hidden_by_retuning"] = or_null(diagnosis.hidden_by_retuning);
     json["interrupted"] = diagnosis.interrupted;

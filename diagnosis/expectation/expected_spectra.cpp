@@ -229,8 +229,8 @@ void add_broadband(const pem::CaseParameters& parameters, const pem::Excitation&
     std::vector<pem::DelayedSpectrum> faint = pem::pad_distortion(parts.pads, excitation.broadband, wheels, speed);
     std::ranges::move(pem::distortion_sources(options.contacts, parameters), std::back_inserter(faint));
     add_as_they_are(parts.transfers, faint, wheels, speed, bin, expected);
-    if (!parameters.modifiers.wheels_own.empty())
-        add_wheels_own(parameters, parts.transfers, excitation.broadband.front(), wheels, speed, bin, expected);
+    if (parameters.modifiers.has_met_alone())
+        add_met_alone(parameters, parts.transfers, excitation.broadband.front(), wheels, speed, bin, expected);
     add_felt(parts.transfers, parts.felt, excitation.broadband.front(), wheels, speed, bin, expected);
 }
 

@@ -99,12 +99,13 @@ void add_as_they_are(const pem::WheelTransfers& transfers, const std::vector<pem
     }
 }
 
-void add_wheels_own(const pem::CaseParameters& parameters, const pem::WheelTransfers& transfers,
-                    const pem::DelayedSpectrum& source, const std::vector<double>& wheels, double speed, double bin_hz,
-                    ExpectedSpectra& expected) {
+void add_met_alone(const pem::CaseParameters& parameters, const pem::WheelTransfers& transfers,
+                   const pem::DelayedSpectrum& source, const std::vector<double>& wheels, double speed, double bin_hz,
+                   ExpectedSpectra& expected) {
     std::vector<pem::DelayedSpectrum> own(
-        4, {.name = "wheels_own",
-            .psd_m2_per_hz = [&](double f) { return parameters.modifiers.wheels_own.at(f) * source.psd_m2_per_hz(f); },
+        4, {.name = "met_alone",
+            .psd_m2_per_hz =
+                [&](double f) { return parameters.modifiers.share_met_alone(f, speed) * source.psd_m2_per_hz(f); },
             .share = {}});
     for (std::size_t wheel = 0; wheel < 4; ++wheel) own[wheel].share[wheel] = 1.0;
     add_as_they_are(transfers, own, wheels, speed, bin_hz, expected);

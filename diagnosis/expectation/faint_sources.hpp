@@ -14,10 +14,10 @@ void add_as_they_are(const pem::WheelTransfers& transfers, const std::vector<pem
                      const std::vector<double>& wheels_m, double speed_m_per_s, double bin_hz,
                      ExpectedSpectra& expected);
 
-/// Adds what each wheel meets by itself (Modifiers::wheels_own) of a source: a local matter at every frequency,
+/// Adds what each wheel meets by itself (Modifiers::share_met_alone()) of a source: a local matter at every frequency,
 /// without delays.
-void add_wheels_own(const pem::CaseParameters& parameters, const pem::WheelTransfers& transfers,
-                    const pem::DelayedSpectrum& source, const std::vector<double>& wheels_m, double speed_m_per_s,
-                    double bin_hz, ExpectedSpectra& expected);
+void add_met_alone(const pem::CaseParameters& parameters, const pem::WheelTransfers& transfers,
+                   const pem::DelayedSpectrum& source, const std::vector<double>& wheels_m, double speed_m_per_s,
+                   double bin_hz, ExpectedSpectra& expected);
 
 }  // namespace railpem::diagnosis

@@ -8,9 +8,11 @@
 
 #include "diagnosis/effects/effect.hpp"
 #include "diagnosis/effects/element.hpp"
+#include "diagnosis/findings/imperfections.hpp"
 #include "diagnosis/judge/channel_comparison.hpp"
 #include "diagnosis/judge/probabilities.hpp"
 #include "diagnosis/judge/verdict_kind.hpp"
+#include "diagnosis/observations/observation.hpp"
 #include "pem/case_parameters.hpp"
 
 namespace railpem::diagnosis {
@@ -84,6 +86,7 @@ struct InferredCurve {
 struct UsedRecording {
     std::string name;
     double speed_m_per_s = 0.0, speed_low = 0.0, speed_high = 0.0;  ///< as fitted, with 90 % interval
+    ObservedSpeed observed_speed;
     double stated_speed_m_per_s = 0.0, payload_kg = 0.0, seconds = 0.0, held_out_seconds = 0.0;
     double low_hz = 0.0, high_hz = 0.0, window_s = 0.0, averages = 0.0;
     std::vector<std::string> channels, channels_not_used, faults;
@@ -124,6 +127,7 @@ struct Diagnosis {
     std::vector<RetunedNumber> retuned_numbers;  ///< with nothing added: what calibration would have hidden
     std::vector<InferredCurve> curves;
     std::vector<ChannelComparison> channels;
+    std::vector<Imperfection> imperfections;  ///< of the diagnosed case
     std::vector<UsedRecording> recordings;
     std::vector<std::string> not_tested;    ///< effects that could not be, and why
     std::vector<std::string> rests_on;      ///< what the verdict rests on: several speeds, a measured irregularity …

@@ -8,6 +8,7 @@
 
 #include "diagnosis/findings/decay_rate_reference.hpp"
 #include "diagnosis/findings/fit_figures.hpp"
+#include "diagnosis/findings/imperfections.hpp"
 #include "diagnosis/findings/inferred_curve.hpp"
 #include "diagnosis/findings/rivals.hpp"
 #include "diagnosis/findings/statement.hpp"
@@ -57,6 +58,7 @@ class WritingUp {
         report_recordings();
         report_basis();
         const Fit& diagnosed = names ? named_.fit : found_.retuned.fit;
+        result_.imperfections = imperfections(diagnosed, observations_);
         result_.diagnosed_numbers = diagnosed.trial.numbers;
         result_.diagnosed_numbers.decay_rate_reference =
             decay_rate_reference(diagnosed.trial, diagnosed.predictions, observations_);
@@ -76,9 +78,14 @@ class WritingUp {
     void report_figures(const Decision& decision) {
         Trial believed = believed_trial(believed_, observations_);
         believed.noise_psd = naming_.retuned.fit.trial.noise_psd;
+        believed.flicker_psd = naming_.retuned.fit.trial.flicker_psd;
         believed.floor = naming_.retuned.fit.trial.floor;
         believed.discrepancy = naming_.retuned.fit.trial.discrepancy;
-        believed.log_gain = naming_.retuned.fit.trial.log_gain;
+        believed.numbers.modifiers.met_alone = naming_.retuned.fit.trial.numbers.modifiers.met_alone;
+        for (std::size_t o = 0; o < observations_.size(); ++o)
+            for (std::size_t c = 0; c < believed.log_gain[o].size(); ++c)
+                if (observations_[o].unknown_scale[c])
+                    believed.log_gain[o][c] = naming_.retuned.fit.trial.log_gain[o][c];
         const Predictions before = predict(believed, context_);
         const FittedSet& after = decision.named ? *decision.named : naming_.retuned;
         const FigureScale scale(after.fit, context_);
@@ -251,6 +258,7 @@ class WritingUp {
         for (std::size_t o = 0; o < observations_.size(); ++o) {
             const Observation& observation = observations_[o];
             UsedRecording used{.name = observation.name,
+                               .observed_speed = observation.observed_speed,
                                .stated_speed_m_per_s = observation.speed_m_per_s,
                                .payload_kg = observation.payload_kg,
                                .seconds = observation.all.seconds,
@@ -295,6 +303,17 @@ class WritingUp {
                 result_.remains.push_back(number.key + " ends " +
                                           std::to_string(std::abs(number.tolerances_away)).substr(0, 4) +
                                           " tolerances away from what was believed");
+        const double off = decision_.named ? study_.named_level_db : study_.retuned_level_db;
+        if (off > thresholds_.level_db)
+            result_.remains.push_back(
+                fmt::format("the levels are off by {:.1f} dB rms beyond chance and stated errors; {:g} dB is what a "
+                            "case that explains may leave",
+                            off, thresholds_.level_db));
+        if (result_.retuned.rms_db > result_.before.rms_db + thresholds_.level_db)
+            result_.remains.push_back(
+                fmt::format("retuning failed: the retuned case is {:.1f} dB from the recorded levels, the believed one "
+                            "{:.1f} dB; its numbers say nothing",
+                            result_.retuned.rms_db, result_.before.rms_db));
         const double missed = decision_.named ? study_.by_named : study_.by_retuned;
         if (missed > thresholds_.residual)
             result_.remains.push_back(

@@ -16,12 +16,18 @@ namespace railpem::diagnosis {
 namespace {
 
 bool is_diagonal(const Unknown& unknown) {
-    return unknown.kind == UnknownKind::noise || unknown.kind == UnknownKind::floor;
+    return unknown.kind == UnknownKind::noise || unknown.kind == UnknownKind::flicker ||
+           unknown.kind == UnknownKind::floor;
+}
+
+/// The logarithm of a power that may be far below what shows: there its slope promises anything.
+bool is_log_power(const Unknown& unknown) {
+    return is_diagonal(unknown) || unknown.kind == UnknownKind::met_alone;
 }
 
 /// How far an unknown may move: to its bounds, and no further than its slope can be believed.
 std::pair<double, double> reach(const Unknown& unknown, double value, const FitSettings& settings) {
-    double longest = is_diagonal(unknown) ? settings.longest_log_step : settings.longest_step * unknown.deviation;
+    double longest = is_log_power(unknown) ? settings.longest_log_step : settings.longest_step * unknown.deviation;
     if (unknown.kind == UnknownKind::number) longest = std::min(longest, settings.longest_number_step);
     return {std::max(unknown.low - value, -longest), std::min(unknown.high - value, longest)};
 }

@@ -7,6 +7,7 @@
 #include <map>
 #include <utility>
 
+#include "diagnosis/fit/imperfection_derivatives.hpp"
 #include "diagnosis/fit/irregularity_derivatives.hpp"
 #include "diagnosis/model/reuse.hpp"
 #include "pem/threads.hpp"
@@ -32,6 +33,10 @@ void difference(const Trial& trial, const std::vector<Unknown>& unknowns, const 
                 const Predictions& predictions, const LikelihoodContext& context, PredictionDerivative& own) {
     const std::size_t o = static_cast<std::size_t>(own.observation), u = static_cast<std::size_t>(own.unknown);
     const Unknown& unknown = unknowns[u];
+    if (unknown.kind == UnknownKind::calibration) {
+        own.values = calibration_derivative(predictions[o], static_cast<std::size_t>(unknown.index));
+        return;
+    }
     const double step = values[u] + unknown.step <= unknown.high ? unknown.step : -unknown.step;
     Trial moved = trial;
     unknown.set(moved, values[u] + step);
@@ -41,19 +46,21 @@ void difference(const Trial& trial, const std::vector<Unknown>& unknowns, const 
         own.values[i] = (spectra.values[i] - predictions[o].values[i]) / step;
 }
 
-/// The irregularity's, of one observation.
+/// Of one observation: all of the irregularity, or all of what wheels meet alone.
 void fill_together(const Trial& trial, const std::vector<Unknown>& unknowns, const Predictions& predictions,
                    const LikelihoodContext& context, const std::vector<std::size_t>& task,
                    std::vector<PredictionDerivative>& derivatives) {
     std::vector<const Unknown*> nodes;
     for (const std::size_t d : task) nodes.push_back(&unknowns[static_cast<std::size_t>(derivatives[d].unknown)]);
-    std::vector<std::vector<std::complex<double>>> values = irregularity_derivatives(
-        trial, nodes, context, static_cast<std::size_t>(derivatives[task.front()].observation), predictions);
+    const auto o = static_cast<std::size_t>(derivatives[task.front()].observation);
+    std::vector<std::vector<std::complex<double>>> values =
+        nodes.front()->kind == UnknownKind::met_alone ? met_alone_derivatives(trial, nodes, context, o, predictions)
+                                                      : irregularity_derivatives(trial, nodes, context, o, predictions);
     for (std::size_t i = 0; i < task.size(); ++i) derivatives[task[i]].values = std::move(values[i]);
 }
 
 /// The derivatives that there are, still empty, and which of them are taken together: the irregularity's of an
-/// observation where they can be (first: they take longest), each of the others by itself.
+/// observation where they can be (first: they take longest), what wheels meet alone, each of the others by itself.
 std::vector<std::vector<std::size_t>> tasks_of(const Trial& trial, const std::vector<Unknown>& unknowns,
                                                const Predictions& predictions, const LikelihoodContext& context,
                                                std::vector<PredictionDerivative>& derivatives) {
@@ -61,12 +68,14 @@ std::vector<std::vector<std::size_t>> tasks_of(const Trial& trial, const std::ve
     std::vector<bool> together;
     for (std::size_t o = 0; o < observations.size(); ++o)
         together.push_back(has_irregularity_derivatives(trial, context, o, predictions));
-    std::vector<std::vector<std::size_t>> tasks(observations.size());
+    std::vector<std::vector<std::size_t>> tasks(2 * observations.size());
     for (std::size_t u = 0; u < unknowns.size(); ++u)
         for (std::size_t o = 0; o < observations.size(); ++o) {
             if (!moves(unknowns[u], trial, observations[o], o)) continue;
             if (together[o] && unknowns[u].kind == UnknownKind::irregularity)
                 tasks[o].push_back(derivatives.size());
+            else if (!predictions.caches.empty() && unknowns[u].kind == UnknownKind::met_alone)
+                tasks[observations.size() + o].push_back(derivatives.size());
             else
                 tasks.push_back({derivatives.size()});
             derivatives.push_back({static_cast<int>(o), static_cast<int>(u), {}});

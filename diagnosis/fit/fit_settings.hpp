@@ -43,7 +43,8 @@ struct FitSettings {
     // How long a step may be.
 
     double longest_step = 3.0;  ///< in deviations of the belief. Chosen; not calibrated
-    /// of noise and floor, in their logarithms: far below what shows, their slope promises anything. Chosen
+    /// of noise, floor and what wheels meet alone, in their logarithms: far below what shows, their slope promises
+    /// anything. Chosen
     double longest_log_step = 1.0;
     /// of a number's logarithm: where a belief is as wide as a factor of two, three deviations led past the nearest
     /// top, to the bounds of numbers (Fit.WideBeliefsAreClimbedInShortSteps). Judged: 0.35 and 0.5 did the same, 0.7

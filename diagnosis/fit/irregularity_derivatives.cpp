@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "diagnosis/expectation/kernel_smoothing.hpp"
 #include "diagnosis/expectation/source_spectra.hpp"
+#include "diagnosis/fit/imperfection_derivatives.hpp"
+#include "diagnosis/fit/node_weight.hpp"
 #include "diagnosis/model/effort.hpp"
 #include "diagnosis/model/reuse.hpp"
 #include "diagnosis/observations/channel_scales.hpp"
@@ -18,32 +19,6 @@ namespace {
 
 using Complex = std::complex<double>;
 using Values = std::vector<Complex>;
-
-/// A node's share in the logarithm of the power, by frequency.
-class NodeWeight {
-  public:
-    /// Of the level where `node` is negative.
-    NodeWeight(const std::vector<double>& wavelengths_m, int node, double speed_m_per_s) : speed_(speed_m_per_s) {
-        if (node < 0) return;
-        const auto i = static_cast<std::size_t>(node);
-        own_ = wavelengths_m[i];
-        if (i > 0) shorter_ = wavelengths_m[i - 1];
-        if (i + 1 < wavelengths_m.size()) longer_ = wavelengths_m[i + 1];
-    }
-
-    double operator()(double frequency_hz) const {
-        const double wavelength = speed_ / frequency_hz;
-        const double next = wavelength < own_ ? shorter_ : longer_;
-        if (own_ == 0.0 || next == 0.0) return 1.0;
-        return std::max(0.0, 1.0 - std::log(wavelength / own_) / std::log(next / own_));
-    }
-
-    double from_hz() const { return longer_ > 0.0 ? speed_ / longer_ : 0.0; }
-    double to_hz() const { return shorter_ > 0.0 ? speed_ / shorter_ : std::numeric_limits<double>::infinity(); }
-
-  private:
-    double speed_, own_ = 0.0, shorter_ = 0.0, longer_ = 0.0;  ///< m/s, m; 0 where there is none
-};
 
 /// The irregularity and what it gives on the fine grid.
 struct Given {
@@ -147,6 +122,13 @@ std::vector<Values> irregularity_derivatives(const Trial& trial, const std::vect
     };
     for_each_felt(known.transfers, known.felt, irregularity, wheels, speed, observation.kernel.bin_hz(), at, add);
     for (Values& values : result) scale_channels(trial.log_gain[o], values);
+    // what wheels meet alone is a share of the irregularity
+    const Values alone = met_alone_spectra(trial, context, o, predictions);
+    for (std::size_t u = 0; u < weights.size(); ++u)
+        for (std::size_t i = 0; i < alone.size(); ++i) {
+            const double f = static_cast<double>(at.first_bin + i / (size * size)) * observation.kernel.bin_hz();
+            result[u][i] += weights[u](f) * alone[i];
+        }
     return result;
 }
 

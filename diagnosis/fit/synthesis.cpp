@@ -112,10 +112,9 @@ Observation synthesise(const Observation& shape, std::size_t index, const Trial&
     scale_channels(truth.log_gain[index], expected.values);
     Trial sound = truth;
     std::fill(sound.floor.begin(), sound.floor.end(), 0.0);
-    const Eigen::VectorXd noise = Eigen::Map<const Eigen::VectorXd>(truth.noise_psd[index].data(),
-                                                                    static_cast<long>(truth.noise_psd[index].size()));
     std::vector<BinExpectation> expectations;
     for (std::size_t bin = 0; bin < expected.bins(); ++bin) {
+        const Eigen::VectorXd noise = noise_powers(truth, shape, index, bin);
         expectations.push_back({complete_prediction(sound, shape, index, expected, bin), noise});
         expectations.back().excited.diagonal() -= noise.cast<std::complex<double>>();
     }

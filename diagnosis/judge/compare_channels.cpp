@@ -25,7 +25,7 @@ std::vector<double> channel_psd(const Trial& trial, const Predictions& predictio
     const std::size_t size = observation.channels.size();
     for (std::size_t bin = 0; bin < observation.bins(); ++bin)
         psd.push_back(predictions[o].values[bin * size * size + channel * (size + 1)].real() +
-                      trial.noise_psd[o][channel]);
+                      noise_at(trial, o, channel, observation.frequency(bin)));
     return psd;
 }
 
@@ -78,7 +78,9 @@ ChannelComparison compare(const Stages& stages, const Observation& observation, 
         const auto bins = bins_of(observation, band);
         if (bins.second < bins.first + 2) continue;
         const double whole = sum_between(result.measured, bins);
-        const double noise = stages.diagnosed->noise_psd[o][c] * static_cast<double>(bins.second - bins.first);
+        double noise = 0.0;
+        for (std::size_t bin = bins.first; bin < bins.second; ++bin)
+            noise += noise_at(*stages.diagnosed, o, c, observation.frequency(bin));
         const bool speaks = noise < kMostNoise * whole;
         result.band_centre_hz.push_back(band.nominal_hz);
         result.band_believed_db.push_back(speaks ? level(whole, sum_between(result.believed, bins)) : kNaN);

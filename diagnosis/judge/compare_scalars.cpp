@@ -15,11 +15,6 @@ namespace {
 
 using recordings::RecordingKind;
 
-/// dB per unit of the natural logarithm.
-double db_per_neper(RecordingKind kind) {
-    return (kind == RecordingKind::receptance ? 20.0 : 10.0) / std::log(10.0);
-}
-
 std::string quantity_of(RecordingKind kind) {
     if (kind == RecordingKind::receptance) return "receptance_m_per_n";
     return kind == RecordingKind::decay_rate ? "decay_rate_db_per_m" : "psd_m2_per_s4_per_hz";
@@ -45,6 +40,13 @@ double band_difference(const ExpectedSpectra& prediction, const std::vector<std:
     return db * sum / static_cast<double>(values.size());
 }
 
+/// Mean of what is predicted over the values of a band, pedestals included.
+double raised_mean(const ScalarData& data, const ExpectedSpectra& prediction, const std::vector<std::size_t>& values) {
+    double sum = 0.0;
+    for (const std::size_t i : values) sum += std::exp(data.values[i].log_value.real() + prediction.values[i].real());
+    return sum / static_cast<double>(values.size());
+}
+
 }  // namespace
 
 void compare_scalars(const Stages& stages, const Observation& observation, std::size_t o, Part part,
@@ -66,8 +68,11 @@ void compare_scalars(const Stages& stages, const Observation& observation, std::
             for (const std::size_t i : values) {
                 const double raised = std::exp(data.values[i].log_value.real()),
                              level = raised - data.values[i].pedestal;
+                // a model's pedestal is a share of its mean in the band, of which this is 1 + share
                 const auto model = [&](const ExpectedSpectra& prediction) {
-                    return raised * std::exp(prediction.values[i].real()) - data.values[i].pedestal;
+                    const double share = data.values[i].pedestal_share;
+                    return raised * std::exp(prediction.values[i].real()) -
+                           share / (1.0 + share) * raised_mean(data, prediction, values);
                 };
                 const double reach = std::exp(kNinety * data.values[i].deviation * raised / level);
                 result.frequency_hz.push_back(data.values[i].frequency_hz);

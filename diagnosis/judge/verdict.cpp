@@ -319,7 +319,8 @@ Decision decide(const NamingResult& naming, const PlaceStudy& places, const Verd
         decision.verdict = Verdict::unexplained;
     else
         decision.verdict = std::max(decision.unknown_score - nothing, residual_retuned) > thresholds.residual ||
-                                   places.by_retuned > thresholds.residual
+                                   places.by_retuned > thresholds.residual ||
+                                   places.retuned_level_db > thresholds.level_db
                                ? Verdict::unexplained
                                : Verdict::consistent;
     return decision;

@@ -27,7 +27,8 @@ struct PlaceStudy {
     std::optional<FrictionLaw> friction;             ///< of the best set, where it names friction
     double by_retuned = 0.0;                         ///< nats that the retuned case misses: missed_by()
     double by_named = 0.0;                           ///< and the best set
-    double named_level_db = 0.0;                     ///< and by how much its levels are off: repeated_level_db()
+    /// by how much the levels of the retuned case and of the best set are off: repeated_level_db(), scalar_level_db()
+    double retuned_level_db = 0.0, named_level_db = 0.0;
 };
 
 /// What the verdict is made of.

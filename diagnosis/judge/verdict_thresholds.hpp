@@ -17,9 +17,9 @@ struct VerdictThresholds {
     /// (Effect::bends_numbers): between the most beside a right one (3.9) and the least beside a wrong one (5.3, a play
     /// of the fastenings)
     double number_tolerances = 4.5;
-    /// by which levels may be off beside a name without friction, repeated_level_db(): between the most beside right
-    /// ones (1.3) and the least beside wrong ones (1.6)
-    double level_db = 1.4;
+    /// by which levels may be off, beyond chance and stated errors, in a case that explains, alone or with a name
+    /// without friction: repeated_level_db(), scalar_level_db(). Stated: what a verdict promises
+    double level_db = 1.0;
 };
 
 }  // namespace railpem::diagnosis

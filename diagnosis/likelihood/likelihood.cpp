@@ -71,8 +71,8 @@ ChunkUnknowns unknowns_of(const Chunk& chunk, const std::vector<Unknown>& unknow
               high = floor_place(observation.frequency(chunk.first + chunk.count - 1)).node + 1;
     for (std::size_t u = 0; u < unknowns.size(); ++u) {
         const int node = unknowns[u].index % kFloorNodeCount;
-        if (unknowns[u].kind == UnknownKind::noise && unknowns[u].observation == static_cast<int>(chunk.observation))
-            own.noise.push_back(u);
+        const bool is_noise = unknowns[u].kind == UnknownKind::noise || unknowns[u].kind == UnknownKind::flicker;
+        if (is_noise && unknowns[u].observation == static_cast<int>(chunk.observation)) own.noise.push_back(u);
         if (unknowns[u].kind == UnknownKind::floor && node >= low && node <= high) own.floors.push_back(u);
     }
     return own;
@@ -96,7 +96,9 @@ void add_diagonal_columns(const Trial& trial, const std::vector<Unknown>& unknow
     std::size_t column = own.derivatives.size();
     for (const std::size_t u : own.noise) {
         const std::size_t c = static_cast<std::size_t>(unknowns[u].index);
-        columns.add_diagonal(column++, c, trial.noise_psd[index][c]);
+        const bool white = unknowns[u].kind == UnknownKind::noise;
+        columns.add_diagonal(
+            column++, c, white ? trial.noise_psd[index][c] : trial.flicker_psd[index][c] / observation.frequency(bin));
     }
     for (const std::size_t u : own.floors) {
         const int node = unknowns[u].index % kFloorNodeCount;
@@ -162,13 +164,21 @@ LikelihoodSlope chunk_slope(const Chunk& chunk, const Trial& trial, const std::v
 
 }  // namespace
 
+Eigen::VectorXd noise_powers(const Trial& trial, const Observation& observation, std::size_t index, std::size_t bin) {
+    Eigen::VectorXd noise(static_cast<long>(observation.channels.size()));
+    for (std::size_t c = 0; c < observation.channels.size(); ++c)
+        noise(static_cast<long>(c)) = noise_at(trial, index, c, observation.frequency(bin));
+    return noise;
+}
+
 Eigen::MatrixXcd complete_prediction(const Trial& trial, const Observation& observation, std::size_t index,
                                      const ExpectedSpectra& prediction, std::size_t bin, double least_floor) {
     Eigen::MatrixXcd model = prediction.matrix(bin);
     const std::array<double, kFloorGroups> floors = floors_at(trial, observation.frequency(bin), least_floor);
     for (long c = 0; c < model.rows(); ++c) {
         const double floor = floors[floor_group(observation.channels[static_cast<std::size_t>(c)].response)];
-        model(c, c) = model(c, c).real() * (1.0 + floor) + trial.noise_psd[index][static_cast<std::size_t>(c)];
+        model(c, c) = model(c, c).real() * (1.0 + floor) +
+                      noise_at(trial, index, static_cast<std::size_t>(c), observation.frequency(bin));
     }
     return model;
 }

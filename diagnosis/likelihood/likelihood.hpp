@@ -52,6 +52,9 @@ std::vector<GradientBlock> gradient_blocks(const Trial& trial, const std::vector
                                            const std::vector<PredictionDerivative>& derivatives,
                                            const LikelihoodContext& context);
 
+/// Noise of every channel at a bin of an observation.
+Eigen::VectorXd noise_powers(const Trial& trial, const Observation& observation, std::size_t index, std::size_t bin);
+
 /// Prediction with noise and floor at a bin of an observation.
 Eigen::MatrixXcd complete_prediction(const Trial& trial, const Observation& observation, std::size_t index,
                                      const ExpectedSpectra& prediction, std::size_t bin, double least_floor = 0.0);

@@ -58,7 +58,6 @@ RepeatedMisfit repeated_misfit(const Trial& trial, const Predictions& prediction
         const long size = static_cast<long>(observation.channels.size());
         if (observation.scalar || fitted.values.empty() || held_out.values.empty()) continue;
         const double averages = fitted.averages + held_out.averages;
-        const Eigen::VectorXd noise = Eigen::Map<const Eigen::VectorXd>(trial.noise_psd[o].data(), size);
         std::vector<double> blocks(1, 0.0);
         double block = std::floor(observation.frequency(0) / kLikelihoodSettings.block_hz), own = 0.0, chance = 0.0;
         for (std::size_t bin = 0; bin < observation.bins(); ++bin) {
@@ -66,6 +65,7 @@ RepeatedMisfit repeated_misfit(const Trial& trial, const Predictions& prediction
                 return Eigen::Map<const Eigen::MatrixXcd>(&part.values[bin * static_cast<std::size_t>(size * size)],
                                                           size, size);
             };
+            const Eigen::VectorXd noise = noise_powers(trial, observation, o, bin);
             const Eigen::MatrixXcd first = residual(complete_prediction(trial, observation, o, predictions[o], bin),
                                                     noise, matrix(fitted)),
                                    second = residual(complete_prediction(trial, observation, o, unseen[o], bin), noise,

@@ -72,6 +72,10 @@ std::size_t scalar_count(const std::vector<Observation>& observations, Part part
     return count;
 }
 
+double db_per_neper(recordings::RecordingKind kind) {
+    return (kind == recordings::RecordingKind::receptance ? 20.0 : 10.0) / std::log(10.0);
+}
+
 double scalar_variance(const ScalarValue& value, double discrepancy, double least_floor) {
     return value.deviation * value.deviation + value.sharing * (value.shared_deviation * value.shared_deviation +
                                                                 discrepancy * discrepancy + least_floor * least_floor);

@@ -24,4 +24,7 @@ void add_scalar_slope(const Trial& trial, const std::vector<Unknown>& unknowns, 
                       const std::vector<PredictionDerivative>& derivatives, const LikelihoodContext& context,
                       LikelihoodSlope& slope);
 
+/// dB per unit of the natural logarithm of a recording's values: 20 lg of amplitudes, 10 lg of powers and decay rates.
+double db_per_neper(recordings::RecordingKind kind);
+
 }  // namespace railpem::diagnosis

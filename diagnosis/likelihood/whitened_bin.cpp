@@ -47,7 +47,7 @@ Parts parts_of(const Trial& trial, const Observation& observation, std::size_t i
     if (least_floor > 0.0) blunt(parts, least_floor);
     const std::array<double, kFloorGroups> floors = floors_at(trial, observation.frequency(bin), least_floor);
     for (std::size_t c = 0; c < size; ++c) {
-        parts.noise[c] = trial.noise_psd[index][c];
+        parts.noise[c] = noise_at(trial, index, c, observation.frequency(bin));
         parts.excited.re[c][c] *= 1.0 + floors[floor_group(observation.channels[c].response)];
         parts.excited.im[c][c] = 0.0;
     }

@@ -33,6 +33,20 @@ struct Beliefs {
     double measured_level_deviation = 1e-3;  ///< where nodes are measured: they carry the level. Derived
     double most_irregularity = 4.0;          ///< bound of nodes and level, both ways. Chosen; not calibrated
 
+    // What each wheel meets by itself, in the logarithm of its share of the irregularity's power: the contact line
+    // wanders, seats scatter.
+
+    double met_alone_nodes_per_octave = 1.0;  ///< over wavelength: broad. Chosen; not calibrated
+    /// a share of 1e-4, known to a factor of ten: coherences of wheels of a bogie are 0.9 at best on worn track, better
+    /// than what a minute can tell on new one. Chosen between both; not calibrated
+    double log_met_alone = -9.2, met_alone_deviation = 2.3;
+    /// bounds: nothing that shows, and a quarter of the power. Chosen
+    double log_least_met_alone = -21.0, log_most_met_alone = -1.4;
+
+    // A sensor's calibration, in log power; its deviation is stated.
+
+    double most_calibration = 2.0;  ///< bound, both ways. Chosen; not calibrated
+
     // Lines.
 
     double passing_deviation = 0.10;  ///< of the amplitude of sleeper passing. Chosen; not calibrated
@@ -48,6 +62,8 @@ struct Beliefs {
     double speed_step = 1e-8;        ///< chosen; not calibrated
     double noise_below_guess = 2.0;  ///< mean of a noise below its first guess, which is an upper one. Chosen
     double noise_deviation = 3.0;    ///< in log power: known to a factor of 20. Chosen; not calibrated
+    /// bound of what grows with 1/f, at 1 Hz, above the guess of the white part: a corner at half the band. Chosen
+    double flicker_high = 5.0;
     double noise_low = 30.0, noise_high = 3.0;  ///< bounds below and above the guess. Chosen; not calibrated
     double scale_deviation = 10.0;  ///< in log power, of a channel without a scale: as good as anything. Chosen
     double most_scale = 40.0;       ///< bound about the guess, both ways. Chosen; not calibrated

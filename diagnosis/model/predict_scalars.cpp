@@ -124,9 +124,13 @@ std::vector<Complex> channel_levels(pem::CaseParameters parameters, double speed
         if (filled) *filled = {.rails = std::move(rails), .transfers = own};
     }
     const ChannelPsd psd(parameters, speed, observation, reuse >= Reuse::transfers ? known->transfers : own);
+    const std::vector<ScalarValue>& values = observation.scalar->values;
+    std::vector<double> powers;
+    for (const ScalarValue& value : values) powers.push_back(psd(value.channel, value.frequency_hz));
+    const std::vector<double> means = third_octave_means(values, powers);
     std::vector<Complex> levels;
-    for (const ScalarValue& value : observation.scalar->values)
-        levels.emplace_back(std::log(psd(value.channel, value.frequency_hz) + value.pedestal), 0.0);
+    for (std::size_t i = 0; i < values.size(); ++i)
+        levels.emplace_back(std::log(powers[i] + values[i].pedestal_share * means[i]), 0.0);
     return levels;
 }
 

@@ -61,6 +61,8 @@ Reuse shared_with(const Trial& trial, const Unknown& unknown) {
         case UnknownKind::correction:
             return shared_with_element(trial, unknown.element);
         case UnknownKind::gain:
+        case UnknownKind::calibration:
+        case UnknownKind::met_alone:
             return Reuse::transfers;
         default:
             return Reuse::nothing;
@@ -85,6 +87,7 @@ bool moves(const Unknown& unknown, const Trial& trial, const Observation& observ
     if (unknown.observation >= 0 && unknown.observation != static_cast<int>(o)) return false;
     switch (unknown.kind) {
         case UnknownKind::noise:
+        case UnknownKind::flicker:
         case UnknownKind::floor:
         case UnknownKind::discrepancy:
             return false;
@@ -96,6 +99,8 @@ bool moves(const Unknown& unknown, const Trial& trial, const Observation& observ
         case UnknownKind::passing:
         case UnknownKind::width:
             return reaches(observation, Element::irregularity);
+        case UnknownKind::met_alone:
+            return !observation.scalar && reaches(observation, Element::irregularity);
         case UnknownKind::effect: {
             const EffectInstance& instance = trial.effects[static_cast<std::size_t>(unknown.index)];
             return could_show(observation, *find_effect(instance.effect));

@@ -16,7 +16,7 @@ namespace railpem::diagnosis {
 
 namespace {
 
-std::vector<double> spline_wavelengths(const std::vector<Observation>& observations) {
+std::vector<double> spline_wavelengths(const std::vector<Observation>& observations, double nodes_per_octave) {
     double shortest = 1e300, longest = 0.0;
     for (const Observation& observation : observations) {
         if (!reaches(observation, Element::irregularity)) continue;
@@ -24,7 +24,7 @@ std::vector<double> spline_wavelengths(const std::vector<Observation>& observati
         longest = std::max(longest, observation.speed_m_per_s / observation.expectation.low_hz);
     }
     if (longest == 0.0) return {};
-    const int count = 1 + static_cast<int>(std::ceil(kBeliefs.nodes_per_octave * std::log2(longest / shortest)));
+    const int count = 1 + static_cast<int>(std::ceil(nodes_per_octave * std::log2(longest / shortest)));
     std::vector<double> nodes;
     for (int i = 0; i < count; ++i)
         nodes.push_back(shortest * std::pow(longest / shortest, static_cast<double>(i) / (count - 1)));
@@ -34,7 +34,7 @@ std::vector<double> spline_wavelengths(const std::vector<Observation>& observati
 /// The longest wave first belongs to spline nodes of increasing wavelength.
 void add_irregularity(const BelievedCase& believed, const std::vector<Observation>& observations,
                       std::vector<Unknown>& unknowns) {
-    const std::vector<double> nodes = spline_wavelengths(observations);
+    const std::vector<double> nodes = spline_wavelengths(observations, kBeliefs.nodes_per_octave);
     if (nodes.empty()) return;  // a track without a vehicle does not feel it
     const std::vector<NodeBelief> beliefs =
         node_beliefs(believed.numbers.irregularity, believed.measured_irregularity, nodes);
@@ -67,6 +67,49 @@ void add_irregularity(const BelievedCase& believed, const std::vector<Observatio
                         .set = [level = believed.numbers.irregularity.level_db](Trial& trial, double x) {
                             trial.numbers.irregularity.level_db = level + x * 10.0 / std::log(10.0);
                         }});
+}
+
+/// What wheels meet alone: only cross-spectra tell it from what they meet one after the other.
+void add_met_alone(const std::vector<Observation>& observations, std::vector<Unknown>& unknowns) {
+    const auto tells = [](const Observation& own) { return !own.scalar && reaches(own, Element::irregularity); };
+    if (std::none_of(observations.begin(), observations.end(), tells)) return;
+    const std::vector<double> nodes = spline_wavelengths(observations, kBeliefs.met_alone_nodes_per_octave);
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+        unknowns.push_back({.kind = UnknownKind::met_alone,
+                            .name = fmt::format("share met by each wheel alone at {:.2g} m", nodes[i]),
+                            .mean = kBeliefs.log_met_alone,
+                            .deviation = kBeliefs.met_alone_deviation,
+                            .low = kBeliefs.log_least_met_alone,
+                            .high = kBeliefs.log_most_met_alone,
+                            .step = kBeliefs.smooth_step,
+                            .index = static_cast<int>(i),
+                            .element = Element::irregularity,
+                            .set = [nodes, i](Trial& trial, double x) {
+                                spectra::LogSpline& own = trial.numbers.modifiers.met_alone;
+                                if (own.empty()) {
+                                    own.wavelength_m = nodes;
+                                    own.log_factor.assign(nodes.size(), kBeliefs.log_met_alone);
+                                }
+                                own.log_factor[i] = x;
+                            }});
+}
+
+/// The sensitivity of every sensor whose unit can be trusted. Of every recording by itself: it is fitted anew, and
+/// changes with the temperature.
+void add_calibrations(const Observation& observation, std::size_t o, std::vector<Unknown>& unknowns) {
+    for (std::size_t c = 0; c < observation.calibration.size(); ++c)
+        if (!observation.unknown_scale[c] && observation.calibration[c] > 0.0)
+            unknowns.push_back(
+                {.kind = UnknownKind::calibration,
+                 .name = fmt::format("calibration of {} in {}", observation.channel_names[c], observation.name),
+                 .deviation = 2.0 * observation.calibration[c],  // of the power
+                 .low = -kBeliefs.most_calibration,
+                 .high = kBeliefs.most_calibration,
+                 .step = kBeliefs.smooth_step,
+                 .observation = static_cast<int>(o),
+                 .index = static_cast<int>(c),
+                 .element = Element::sensor,
+                 .set = [o, c](Trial& trial, double x) { trial.log_gain[o][c] = x; }});
 }
 
 /// The first guess of a channel's scale.
@@ -128,11 +171,29 @@ void add_fluctuation(const BelievedCase& believed, const std::vector<Observation
                         }});
 }
 
+/// What a sensor's noise has beside its white part: it grows towards low frequencies with 1/f.
+void add_flicker(const Observation& observation, std::size_t o, std::vector<Unknown>& unknowns) {
+    for (std::size_t c = 0; c < observation.noise_psd.size(); ++c) {
+        const double guess = std::log(observation.noise_psd[c]);
+        unknowns.push_back(
+            {.kind = UnknownKind::flicker,
+             .name = fmt::format("1/f noise of {} in {}", observation.channel_names[c], observation.name),
+             .mean = guess - kBeliefs.noise_below_guess,
+             .deviation = kBeliefs.noise_deviation,
+             .low = guess - kBeliefs.noise_low,
+             .high = guess + kBeliefs.flicker_high,
+             .observation = static_cast<int>(o),
+             .index = static_cast<int>(c),
+             .set = [o, c](Trial& trial, double x) { trial.flicker_psd[o][c] = std::exp(x); }});
+    }
+}
+
 void add_recording(const std::vector<Observation>& observations, std::vector<Unknown>& unknowns) {
     for (std::size_t o = 0; o < observations.size(); ++o) {
         const Observation& observation = observations[o];
         if (observation.scalar) add_discrepancy(observations, o, unknowns);
         add_scales(observation, o, unknowns);
+        add_calibrations(observation, o, unknowns);
         if (!reaches(observation, Element::irregularity)) continue;
         const double speed = observation.speed_m_per_s;
         unknowns.push_back(
@@ -144,6 +205,7 @@ void add_recording(const std::vector<Observation>& observations, std::vector<Unk
              .step = kBeliefs.speed_step,
              .observation = static_cast<int>(o),
              .set = [o, speed](Trial& trial, double x) { trial.speed_m_per_s[o] = speed * std::exp(x); }});
+        add_flicker(observation, o, unknowns);
         for (std::size_t c = 0; c < observation.noise_psd.size(); ++c) {
             const double guess = std::log(observation.noise_psd[c]);
             unknowns.push_back(
@@ -218,6 +280,7 @@ Trial believed_trial(const BelievedCase& believed, const std::vector<Observation
     for (const Observation& observation : observations) {
         trial.speed_m_per_s.push_back(observation.speed_m_per_s);
         trial.noise_psd.push_back(observation.noise_psd);
+        trial.flicker_psd.emplace_back(observation.noise_psd.size(), 0.0);
         trial.discrepancy.push_back(observation.scalar ? kBeliefs.scalar_discrepancy : 0.0);
         trial.log_gain.emplace_back();
         for (std::size_t c = 0; c < observation.channels.size(); ++c)
@@ -240,6 +303,7 @@ std::vector<Unknown> nuisance_unknowns(const BelievedCase& believed, const std::
                                 access.set(trial.numbers, number.key, number.value * std::exp(x));
                             }});
     add_irregularity(believed, observations, unknowns);
+    add_met_alone(observations, unknowns);
     const double passing = believed.numbers.sleeper_passing.amplitude_factor;
     if (passing > 0.0)
         unknowns.push_back({.kind = UnknownKind::passing,
@@ -255,6 +319,11 @@ std::vector<Unknown> nuisance_unknowns(const BelievedCase& believed, const std::
     add_recording(observations, unknowns);
     add_floor(observations, unknowns);
     return unknowns;
+}
+
+double noise_at(const Trial& trial, std::size_t observation, std::size_t channel, double frequency_hz) {
+    const double white = trial.noise_psd[observation][channel];
+    return trial.flicker_psd.empty() ? white : white + trial.flicker_psd[observation][channel] / frequency_hz;
 }
 
 double to_coordinate(const EffectParameter& parameter, double value) {

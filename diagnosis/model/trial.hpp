@@ -20,10 +20,12 @@ struct Trial {
     pem::CaseParameters numbers;
     std::vector<EffectInstance> effects;
     std::vector<double> speed_m_per_s;           ///< per observation
-    std::vector<std::vector<double>> noise_psd;  ///< per observation and channel
+    std::vector<std::vector<double>> noise_psd;  ///< per observation and channel: its white part
+    /// and at 1 Hz what falls with 1/f; none: nothing
+    std::vector<std::vector<double>> flicker_psd;
     /// per observation: relative deviation of a scalar value that the model class cannot say
     std::vector<double> discrepancy;
-    /// per observation and channel: of the power of one whose unit cannot be trusted
+    /// per observation and channel: of its power; of a sensor's calibration, or of one whose unit cannot be trusted
     std::vector<std::vector<double>> log_gain;
     /// Relative amplitude of what the model class cannot say, incoherent between channels: [group][node].
     std::vector<double> floor = std::vector<double>(static_cast<std::size_t>(kFloorGroups) * kFloorNodeCount, 0.0);
@@ -48,8 +50,11 @@ enum class UnknownKind {
     width,
     correction,
     gain,
+    calibration,
+    met_alone,
     speed,
     noise,
+    flicker,
     floor,
     discrepancy
 };
@@ -64,8 +69,8 @@ struct Unknown {
     double high = 1e300;
     double step = kBeliefs.usual_step;  ///< of the numerical derivative
     int observation = -1;               ///< the only one that it moves; −1: all
-    int index = 0;                      ///< noise: channel; floor: group·nodes + node; effect: place in Trial::effects
-    Element element = Element::body;    ///< correction: where
+    int index = 0;  ///< noise, calibration: channel; floor: group·nodes + node; effect: place in Trial::effects
+    Element element = Element::body;                        ///< correction: where
     parameters::Nature nature = parameters::Nature::other;  ///< number: of what kind
     std::function<void(Trial&, double)> set;
 };
@@ -76,8 +81,8 @@ pem::CaseParameters case_of(const Trial& trial, const BelievedCase& believed, co
 /// The believed case as a trial.
 Trial believed_trial(const BelievedCase& believed, const std::vector<Observation>& observations);
 
-/// Unknowns of retuning and nuisance: numbers within their tolerances, irregularity over wavelength, speeds, noise,
-/// floor.
+/// Unknowns of retuning and nuisance: numbers within their tolerances, irregularity over wavelength, what wheels meet
+/// alone, calibrations, speeds, noise, floor.
 std::vector<Unknown> nuisance_unknowns(const BelievedCase& believed, const std::vector<Observation>& observations);
 
 /// Unknowns of the instance `effect_index` of a trial's effects: its continuous parameters.
@@ -85,6 +90,9 @@ std::vector<Unknown> effect_unknowns(const EffectInstance& instance, std::size_t
 
 /// The parameter of an effect that an unknown is; null for every other unknown.
 const EffectParameter* parameter_of(const Unknown& unknown);
+
+/// Noise of a channel at a frequency > 0: its white part and what grows with 1/f.
+double noise_at(const Trial& trial, std::size_t observation, std::size_t channel, double frequency_hz);
 
 /// Applies values to a trial.
 void set_values(Trial& trial, const std::vector<Unknown>& unknowns, const std::vector<double>& values);

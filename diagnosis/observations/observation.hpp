@@ -23,17 +23,26 @@ struct MeasuredSpectra {
     std::shared_ptr<const SpeedMixture> speeds;  ///< of its windows; none: one speed
 };
 
+/// Where a speed was read from, and between which values it ran.
+struct ObservedSpeed {
+    std::string read_from = "the description";  ///< or "the speed channel", "delays between channels"
+    double lowest_m_per_s = 0.0, highest_m_per_s = 0.0;
+};
+
 /// One recording: a vehicle at one speed and load (time series and spectra), or the track alone.
 struct Observation {
     std::string name;
     double speed_m_per_s = 0.0;
     double speed_tolerance = 0.0;  ///< relative standard deviation
+    ObservedSpeed observed_speed;
     double payload_kg = 0.0;
     std::vector<ObservedChannel> channels;
     std::vector<std::string> channel_names;  ///< as the recording calls them
     std::vector<bool> unknown_scale;         ///< per channel
     /// per channel, or none: first guess of the log power of a scale that is unknown; 0 where it is known
     std::vector<double> log_scale;
+    /// per channel of a time series: relative standard deviation of its sensitivity; 0: exact
+    std::vector<double> calibration;
     std::vector<double> noise_psd;  ///< per channel: first guess, squared unit per Hz
     recordings::WindowKernel kernel;
     ExpectationOptions expectation;

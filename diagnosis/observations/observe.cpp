@@ -110,6 +110,7 @@ Observation windowed(const recordings::Recording& recording, Observation observa
     for (const ObservedChannel& channel : observation.channels) {
         observation.channel_names.push_back(all.channels[channel.channel].name);
         observation.unknown_scale.push_back(all.channels[channel.channel].scale == recordings::Scale::unknown);
+        observation.calibration.push_back(all.channels[channel.channel].gain_standard_error);
         observation.noise_psd.push_back(quiet_level(all, channel.channel));
     }
     return observation;
@@ -142,9 +143,15 @@ Observation observe(const recordings::Recording& recording, const std::string& n
     Observation head{.name = name, .speed_m_per_s = speed.m_per_s, .payload_kg = recording.description.payload_kg};
     head.speed_tolerance =
         speed.standard_error > 0.0 ? speed.standard_error / speed.m_per_s : kObservationSettings.speed_tolerance;
+    head.observed_speed = {speed.from_channel ? "the speed channel" : "the description", speed.lowest_m_per_s,
+                           speed.highest_m_per_s};
     const std::optional<recordings::RunningSpeed> running =
         changing_speed(recording.series, believed, head.speed_m_per_s);
-    if (running) head.speed_m_per_s = running->path.mean_m_per_s();
+    if (running) {
+        const auto [least, most] = std::ranges::minmax_element(running->path.speed_m_per_s);
+        head.observed_speed = {"delays between channels", *least, *most};
+        head.speed_m_per_s = running->path.mean_m_per_s();
+    }
     Observation observation = windowed(recording, head, believed, options, options.window_s, running);
     hold_contact_distortion(observation, believed);
     guess_scales(observation, believed);

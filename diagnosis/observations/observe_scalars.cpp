@@ -91,22 +91,18 @@ void leave_out_passing(const pem::CaseParameters& believed, double speed, Scalar
 /// Four wheels make zeros, which no window resolves and which a hair's breadth of speed moves. A level far below the
 /// mean of its third-octave is not believed; without a scale nothing can be added to it, and it is left out.
 void raise_zeros(const std::vector<bool>& unknown_scale, ScalarData& data) {
-    std::map<std::pair<std::size_t, long>, std::pair<double, double>> sums;
-    const auto band = [](const ScalarValue& value) {
-        return std::pair(value.channel, std::lround(10.0 * std::log10(value.frequency_hz)));
-    };
-    for (const ScalarValue& value : data.values) {
-        auto& [sum, count] = sums[band(value)];
-        sum += std::exp(value.log_value.real());
-        count += 1.0;
+    std::vector<double> levels;
+    for (const ScalarValue& value : data.values) levels.push_back(std::exp(value.log_value.real()));
+    const std::vector<double> means = third_octave_means(data.values, levels);
+    for (std::size_t i = 0; i < data.values.size(); ++i) {
+        data.values[i].pedestal_share = kObservationSettings.pedestal;
+        data.values[i].pedestal = kObservationSettings.pedestal * means[i];
     }
-    for (ScalarValue& value : data.values)
-        value.pedestal = kObservationSettings.pedestal * sums[band(value)].first / sums[band(value)].second;
     std::erase_if(data.values, [&](const ScalarValue& value) {
         return unknown_scale[value.channel] && std::exp(value.log_value.real()) < value.pedestal;
     });
     for (ScalarValue& value : data.values) {
-        if (unknown_scale[value.channel]) value.pedestal = 0.0;
+        if (unknown_scale[value.channel]) value.pedestal = value.pedestal_share = 0.0;
         const double level = std::exp(value.log_value.real());
         value.log_value = std::log(level + value.pedestal);
         value.deviation *= level / (level + value.pedestal);

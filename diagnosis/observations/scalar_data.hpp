@@ -21,11 +21,20 @@ struct ScalarValue {
     double sharing = 1.0;            ///< values within the same twelfth of an octave: they share their discrepancy
     /// of what the prediction is held against (pem::DecayRateReference): shared like the discrepancy
     double shared_deviation = 0.0;
-    /// psd: added to measured and model before the logarithm, so that zeros of the comb of the wheels
+    /// psd: added to the measured value before the logarithm, so that zeros of the comb of the wheels do not count for
+    /// what no window could resolve
     double pedestal = 0.0;
-    ///< do not count for what no window could resolve
+    /// and to the model's: this share of the mean of its values in the third-octave, as the pedestal is of the measured
+    /// ones. Each has its own, or a model far below what was recorded would be as near as its pedestal
+    double pedestal_share = 0.0;
     bool held_out = false;  ///< no fit sees it
 };
+
+/// The third-octave of a value: ten to a decade.
+long third_octave_of(double frequency_hz);
+
+/// Mean of levels, one per value, over the values of the same channel and third-octave, for every value.
+std::vector<double> third_octave_means(const std::vector<ScalarValue>& values, const std::vector<double>& levels);
 
 /// The twelfth of an octave in which values share their discrepancy.
 long discrepancy_cell(double frequency_hz);

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "diagnosis/judge/repeated_levels.hpp"
+#include "diagnosis/judge/scalar_levels.hpp"
 #include "diagnosis/model/effort.hpp"
 #include "diagnosis/search/from_afar.hpp"
 
@@ -25,6 +26,11 @@ std::vector<PlaceEvidence> evidence(const std::vector<LocatedEvidence>& located)
     return result;
 }
 
+/// By how much the levels of a fit are off, beyond chance and stated errors.
+double level_db(const Fit& fit, const LikelihoodContext& context) {
+    return std::max(repeated_level_db(fit, context), scalar_level_db(fit, context));
+}
+
 /// What the best set leaves, and how well it holds.
 void study_named(const Inquiry& inquiry, NamingResult& naming, PlaceStudy& study) {
     FittedSet& best = naming.sets.front();
@@ -32,7 +38,7 @@ void study_named(const Inquiry& inquiry, NamingResult& naming, PlaceStudy& study
     restore_caches(best.fit, inquiry.context);
     restore_derivatives(best.fit, inquiry.context);
     study.by_named = missed_by(best.fit, inquiry.context);
-    study.named_level_db = repeated_level_db(best.fit, inquiry.context);
+    study.named_level_db = level_db(best.fit, inquiry.context);
     study.by_recording = constancy(best.fit, inquiry.context);
     if (names_friction(best)) study.friction = friction_law(best.fit, inquiry.context);
     if (best.score() > naming.retuned.score() + gain_asked(best, inquiry.thresholds))
@@ -128,6 +134,7 @@ void study_places(const Inquiry& inquiry, NamingResult& naming, PlaceStudy& stud
     if (naming.left_by_retuned.empty()) naming.left_by_retuned = locate(naming.retuned.fit, inquiry.context);
     study.at_retuned = evidence(naming.left_by_retuned);
     study.by_retuned = missed_by(naming.retuned.fit, inquiry.context);
+    study.retuned_level_db = level_db(naming.retuned.fit, inquiry.context);
     if (!naming.sets.empty()) study_named(inquiry, naming, study);
     if (leaves_much(inquiry, naming, study))
         correct_from_afar(inquiry, naming, study);
