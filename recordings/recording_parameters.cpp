@@ -59,9 +59,9 @@ Fields<ChannelDescription> channel_fields() {
     return {
         text(&C::name, "name", "name of the channel in every table").required(),
         text(&C::column, "column",
-             "CSV column (name:2 is the second of that name, 5 the fifth of all), MAT variable, UFF record, WAV "
-             "channel or "
-             "HDF5 dataset (name:3 is its third column); without it the name"),
+             "CSV column (name:2 is the second of that name, 5 the fifth of all), MAT variable (also run.y, "
+             "ch(2).y, sig{2}), UFF record, WAV channel or HDF5 dataset (name:3 is its third column); without it the "
+             "name"),
         choice(&C::quantity, "quantity", {"acceleration", "velocity", "displacement", "speed", "mileage"},
                "what is measured; speed and mileage are of the train"),
         text(&C::unit, "unit",

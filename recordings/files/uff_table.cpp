@@ -75,7 +75,7 @@ void require_time_response(const UffDataset& dataset, const std::string& name, c
 ColumnStatement statement_of_record(const UffDataset& dataset) {
     ColumnStatement says;
     says.unit = dataset.ordinate_unit;
-    if (!says.unit.empty()) says.unit_where = fmt::format("record 9 of the dataset in line {}", dataset.line);
+    if (!says.unit.empty()) says.unit_where = "record 9";
     says.start_s = dataset.abscissa_at(0) * seconds_of_abscissa(dataset);
     return says;
 }

@@ -59,9 +59,7 @@ std::vector<double> densities_of(const UffDataset& dataset, const std::string& n
 ColumnStatement density_statement(const UffDataset& dataset) {
     ColumnStatement says;
     says.unit = unit_of_density(dataset.ordinate_unit).value_or(dataset.ordinate_unit);
-    if (!says.unit.empty())
-        says.unit_where =
-            fmt::format("'{}' in record 9 of the dataset in line {}", dataset.ordinate_unit, dataset.line);
+    if (!says.unit.empty()) says.unit_where = fmt::format("'{}' in record 9", dataset.ordinate_unit);
     return says;
 }
 
