@@ -56,6 +56,13 @@ void require_filters(hid_t creation, const std::string& name, const std::string&
 
 }  // namespace
 
+Hdf5Handle open_hdf5(const std::string& file) {
+    constexpr std::size_t slots = 12421, bytes = std::size_t{32} << 20;  // a prime about 100 times the chunks it holds
+    const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+    H5Pset_cache(access, 0, slots, bytes, 1.0);
+    return {H5Fopen(file.c_str(), H5F_ACC_RDONLY, access), H5Fclose};
+}
+
 std::vector<hsize_t> extents_of(hid_t dataset) {
     const Hdf5Handle space(H5Dget_space(dataset), H5Sclose);
     const int rank = space.valid() ? H5Sget_simple_extent_ndims(space) : 0;

@@ -9,6 +9,10 @@
 
 namespace railpem::recordings {
 
+/// The file opened for reading; not valid when it is no HDF5 file. Its cache holds the chunks of several channels, so
+/// that blocks of a compressed file do not inflate them again and again.
+Hdf5Handle open_hdf5(const std::string& file);
+
 /// Sizes of the dataset; empty for a single number, and for none at all.
 std::vector<hsize_t> extents_of(hid_t dataset);
 

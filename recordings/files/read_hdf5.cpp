@@ -82,8 +82,7 @@ Names names_of(hid_t root) {
 /// Reads the channels of one file: each is looked up, then all are read by blocks.
 class Hdf5File {
   public:
-    Hdf5File(const std::string& file, bool all)
-        : file_(file), all_(all), root_(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose), channels_(file) {
+    Hdf5File(const std::string& file, bool all) : file_(file), all_(all), root_(open_hdf5(file)), channels_(file) {
         if (!root_.valid()) throw ReadError(file, 0, "not an HDF5 file, or a damaged one", "an HDF5 file");
         names_ = names_of(root_);
         if (names_.stored.empty())

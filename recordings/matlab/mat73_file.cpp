@@ -48,8 +48,7 @@ bool is_number_class(const std::string& name) {
 
 class Mat73File : public MatFile {
   public:
-    explicit Mat73File(const std::string& file)
-        : file_(file), root_(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose) {
+    explicit Mat73File(const std::string& file) : file_(file), root_(open_hdf5(file)) {
         if (!root_.valid()) throw ReadError(file, 0, "not a MATLAB file, or a damaged one", "a .mat file");
         for (const std::string& name : members_of(root_)) {
             if (name.starts_with('#')) continue;  // what references lead to, and the store of objects
