@@ -19,13 +19,13 @@ struct CloseSound {
     void operator()(SNDFILE* sound) const { sf_close(sound); }
 };
 
-struct CloseFile {
+struct CloseStream {
     void operator()(std::FILE* file) const { std::fclose(file); }
 };
 
 /// The file as it would be with its length written: what a recorder that lost power did not come to.
 struct CompletedFile {
-    std::unique_ptr<std::FILE, CloseFile> file;
+    std::unique_ptr<std::FILE, CloseStream> file;
     std::uint64_t size_at = 0;
     std::uint32_t size = 0;
 

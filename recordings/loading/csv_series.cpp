@@ -7,6 +7,7 @@
 
 #include "recordings/files/known_units.hpp"
 #include "recordings/files/read_error.hpp"
+#include "recordings/units.hpp"
 
 namespace railpem::recordings {
 namespace {
@@ -75,9 +76,22 @@ CsvSeries::CsvSeries(const RecordingDescription& description, const std::string&
         says_.columns.back().unit = unit_in_name(time_column_);
         says_.columns.back().unit_where = fmt::format("name of the column, line {}", reader_.header_line());
     }
+    take_preamble_unit(description);
     says_.sampling_rate_where = reader_.preamble().sampling_rate_where;
     says_.start = reader_.first_time().empty() ? reader_.preamble().start : reader_.first_time();
     reader_.select(columns);
+}
+
+/// A unit above the table is that of every channel that it fits and that has none of its own.
+void CsvSeries::take_preamble_unit(const RecordingDescription& description) {
+    const Preamble& preamble = reader_.preamble();
+    for (const ChannelDescription& channel : description.channels) {
+        const auto at = std::find(wanted_.begin(), wanted_.end(), column_of(channel)) - wanted_.begin();
+        ColumnStatement& says = says_.columns[static_cast<std::size_t>(at)];
+        if (!says.unit.empty() || !factor_of_unit(preamble.unit, channel.quantity)) continue;
+        says.unit = preamble.unit;
+        says.unit_where = preamble.unit_where;
+    }
 }
 
 void CsvSeries::find_time_column(const RecordingDescription& description) {

@@ -27,6 +27,7 @@ class CsvSeries {
 
   private:
     void find_time_column(const RecordingDescription& description);
+    void take_preamble_unit(const RecordingDescription& description);
 
     CsvReader reader_;
     std::string time_column_;

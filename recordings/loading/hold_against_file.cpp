@@ -175,6 +175,15 @@ Conversion conversion_of(const ChannelDescription& channel, const ColumnStatemen
     return result;
 }
 
+void add_contradiction(const Fault& fault, std::vector<Fault>& contradictions) {
+    for (Fault& known : contradictions)
+        if (known.kind == fault.kind && known.says == fault.says) {
+            known.channels.insert(known.channels.end(), fault.channels.begin(), fault.channels.end());
+            return;
+        }
+    contradictions.push_back(fault);
+}
+
 double held_sampling_rate(double described_hz, double file_hz, const std::string& file_where,
                           std::vector<Fault>& contradictions) {
     if (described_hz <= 0.0) return file_hz;

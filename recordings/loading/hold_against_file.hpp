@@ -24,6 +24,9 @@ struct Conversion {
 /// of another quantity and the description says no unit of its own.
 Conversion conversion_of(const ChannelDescription& channel, const ColumnStatement& file, const std::string& key);
 
+/// Adds a fault; one that says the same of other channels takes these over: it is told once.
+void add_contradiction(const Fault& fault, std::vector<Fault>& contradictions);
+
 /// The rate of the record, Hz, from the description (`described_hz`) and the file (`file_hz`, said at `file_where`); 0:
 /// neither says it. When both do and differ by more than 1e-4, the description is followed and a fault is added.
 double held_sampling_rate(double described_hz, double file_hz, const std::string& file_where,

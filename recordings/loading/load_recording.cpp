@@ -129,7 +129,7 @@ void fill_channel(std::size_t i, const DataTable& table, Recording& recording) {
     const std::size_t column = require_name(column_of(channel), table.names, "column", recording.file, 0);
     const Conversion conversion =
         conversion_of(channel, statement_of(column, table), fmt::format("channel[{}]", i + 1));
-    if (conversion.contradiction) recording.contradictions.push_back(*conversion.contradiction);
+    if (conversion.contradiction) add_contradiction(*conversion.contradiction, recording.contradictions);
     if (!conversion.scale_is_known) channel.scale = Scale::unknown;
     std::vector<double> samples = table.columns[column];
     for (double& sample : samples) sample = sample * conversion.factor + conversion.offset;

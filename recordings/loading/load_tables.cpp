@@ -64,7 +64,7 @@ ChannelSpectrum spectrum_of(std::size_t i, const DataTable& table, const std::ve
                                        {.names = table.names, .line = 1}, recording.file);
     const Conversion conversion =
         conversion_of(channel, amplitude_statement(table.says.columns[at]), fmt::format("channel[{}]", i + 1));
-    if (conversion.contradiction) recording.contradictions.push_back(*conversion.contradiction);
+    if (conversion.contradiction) add_contradiction(*conversion.contradiction, recording.contradictions);
     check_values(table.columns[at], channel.name, 0.0, recording.file);
     ChannelSpectrum spectrum{channel, frequency, table.columns[at], {}, conversion.says};
     for (double& value : spectrum.psd) value *= conversion.factor * conversion.factor;

@@ -98,6 +98,7 @@ bool from_text(std::string_view field, double& value) {
 /// How well the rows are understood in a dialect; what comes first decides.
 struct Understanding {
     bool under_a_header = false;
+    std::size_t begin = 0;  ///< first row of the table
     int rows_of_numbers = 0, rows_of_one_length = 0, numbers = 0, not_grouped = 0;
 
     auto key() const {
@@ -131,12 +132,23 @@ RowKind kind_of_row(std::string_view row, const CsvDialect& dialect, std::vector
     return kind;
 }
 
-Understanding understanding(const std::vector<RowKind>& kinds) {
-    std::map<std::size_t, int> lengths;
-    for (const RowKind& kind : kinds) ++lengths[kind.fields];
+/// The commonest length of the rows of numbers, or of all rows where there are none: a preamble may be longer than what
+/// was read of the table. Of several the first row's.
+std::size_t table_width(const std::vector<RowKind>& kinds) {
+    std::map<std::size_t, int> of_numbers, of_all;
+    for (const RowKind& kind : kinds) {
+        ++of_all[kind.fields];
+        if (kind.all && kind.numbers > 0) ++of_numbers[kind.fields];
+    }
+    std::map<std::size_t, int>& lengths = of_numbers.empty() ? of_all : of_numbers;
     std::size_t length = kinds.empty() ? 0 : kinds.front().fields;
     for (const auto& [fields, count] : lengths)
         if (count > lengths[length]) length = fields;
+    return length;
+}
+
+Understanding understanding(const std::vector<RowKind>& kinds) {
+    const std::size_t length = table_width(kinds);
     Understanding result;
     bool begun = false;
     for (std::size_t i = 0; i < kinds.size(); ++i) {
@@ -144,6 +156,7 @@ Understanding understanding(const std::vector<RowKind>& kinds) {
         // Columns of words may stand beside the numbers: a row begins the table when half of it is numbers.
         if (!begun && kinds[i].numbers > 0 && 2 * kinds[i].numbers >= static_cast<int>(length)) {
             begun = true;
+            result.begin = i;
             result.under_a_header = i > 0 && kinds[i - 1].fields == length;
         }
         result.rows_of_numbers += kinds[i].all && kinds[i].numbers > 0 ? 1 : 0;
@@ -152,6 +165,11 @@ Understanding understanding(const std::vector<RowKind>& kinds) {
         result.not_grouped -= kinds[i].grouped;
     }
     return result;
+}
+
+/// Without a delimiter a row is one number only where the name above it is one word, too.
+bool is_single_column(const std::vector<std::string_view>& rows, const Understanding& found) {
+    return found.under_a_header && rows[found.begin - 1].find(',') == std::string_view::npos;
 }
 
 }  // namespace
@@ -238,18 +256,19 @@ CsvDialect detect_dialect(const std::vector<std::string_view>& rows, char forced
     bool any = false;
     std::vector<std::string_view> fields;
     for (const char delimiter : delimiters) {
-        // The semicolon is tried in any case: it leaves the decimal commas of a single column alone.
-        const bool occurs = delimiter == ';' || delimiter == ',' || forced ||
-                            std::any_of(rows.begin(), rows.end(), [&](std::string_view row) {
-                                return row.find(delimiter) != std::string_view::npos;
-                            });
-        if (!occurs) continue;
+        const bool occurs =
+            delimiter == ',' || forced || std::any_of(rows.begin(), rows.end(), [&](std::string_view row) {
+                return row.find(delimiter) != std::string_view::npos;
+            });
+        // The semicolon is tried all the same: it leaves the decimal commas of a single column alone.
+        if (!occurs && delimiter != ';') continue;
         for (const bool decimal_comma : {false, true}) {
             const CsvDialect dialect{.delimiter = delimiter, .decimal_comma = decimal_comma};
             std::vector<RowKind> kinds;
             kinds.reserve(rows.size());
             for (const std::string_view row : rows) kinds.push_back(kind_of_row(row, dialect, fields));
             const Understanding found = understanding(kinds);
+            if (!occurs && !is_single_column(rows, found)) continue;
             if (any && found.key() <= most.key()) continue;
             any = true;
             most = found;

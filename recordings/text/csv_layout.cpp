@@ -12,7 +12,6 @@
 #include "recordings/files/known_units.hpp"
 #include "recordings/files/text_encoding.hpp"
 #include "recordings/files/visible_text.hpp"
-#include "recordings/text/grouping_watch.hpp"
 #include "recordings/text/time_stamp.hpp"
 
 namespace railpem::recordings {
@@ -42,10 +41,19 @@ char stated_delimiter(std::string_view line) {
     return line.size() == 5 && is(0, 's') && is(1, 'e') && is(2, 'p') && line[3] == '=' ? line[4] : '\0';
 }
 
-/// The commonest number of fields; of several the first row's.
-std::size_t width_of(const std::vector<Row>& rows) {
-    std::map<std::size_t, int> widths;
-    for (const Row& row : rows) ++widths[row.fields.size()];
+/// The commonest number of fields of rows that are numbers by half or more, else of all rows; of several the first
+/// row's.
+std::size_t width_of(const std::vector<Row>& rows, const CsvDialect& dialect) {
+    std::map<std::size_t, int> of_all, of_numbers;
+    for (const Row& row : rows) {
+        ++of_all[row.fields.size()];
+        const auto numbers = std::count_if(row.fields.begin(), row.fields.end(), [&](std::string_view field) {
+            return cell_of(field, dialect) == Cell::number;
+        });
+        const bool is_first = !row.fields.empty() && cell_of(row.fields.front(), dialect) != Cell::text;
+        if (is_first && 2 * numbers >= static_cast<std::ptrdiff_t>(row.fields.size())) ++of_numbers[row.fields.size()];
+    }
+    std::map<std::size_t, int>& widths = of_numbers.empty() ? of_all : of_numbers;
     std::size_t width = rows.front().fields.size();
     for (const auto& [fields, count] : widths)
         if (count > widths[width]) width = fields;
@@ -138,7 +146,7 @@ struct Builder {
         if (rows.empty()) return;
         layout.dialect = detect_dialect(texts, forced);
         for (Row& row : rows) split_fields(lines[row.line].text, layout.dialect.delimiter, row.fields);
-        width = width_of(rows);
+        width = width_of(rows, layout.dialect);
     }
 
     /// False when nothing looks like a table: then the first row is the header, and the next is to say what is wrong.
@@ -257,7 +265,7 @@ struct Builder {
     /// A sign that was taken for the decimal one may stand between thousands.
     void regroup() {
         CsvDialect& dialect = layout.dialect;
-        GroupingWatch watch(width, dialect.decimal());
+        GroupingWatch& watch = layout.watch;
         double value = 0.0;
         for (std::size_t i = table; i < rows.size(); ++i)
             for (std::size_t j = 0; j < std::min(width, rows[i].fields.size()); ++j)
@@ -266,7 +274,7 @@ struct Builder {
         for (std::size_t j = 0; j < width; ++j) {
             if (!watch.doubtful(j) || watch.any_settled()) continue;
             layout.notes.push_back(
-                fmt::format("'{}' in column '{}' was read as thousands: other numbers of the column are whole without",
+                fmt::format("'{}' in column '{}' was read as thousands: other numbers of the column have no such sign",
                             watch.example(j), shown(layout.columns.names[j])));
             dialect.decimal_comma = !dialect.decimal_comma;
             dialect.grouped = true;
@@ -281,11 +289,18 @@ struct Builder {
             line.text = to_utf8(line.text.substr(0, 400), converted);
         }
         layout.preamble = read_preamble(above);
-        for (ColumnStatement& column : layout.says)
-            if (column.unit.empty()) {
-                column.unit = layout.preamble.unit;
-                column.unit_where = layout.preamble.unit_where;
-            }
+    }
+
+    /// A name after the last delimiter is missing because there is no column: no row has anything there.
+    void drop_trailing_column() {
+        const bool trailing = layout.dialect.delimiter != ' ' && layout.columns.has_header &&
+                              layout.columns.names.size() > 1 && layout.columns.names.back().empty() &&
+                              std::all_of(rows.begin() + static_cast<std::ptrdiff_t>(table), rows.end(),
+                                          [](const Row& row) { return row.fields.back().empty(); });
+        if (!trailing) return;
+        layout.dialect.trailing_delimiter = true;
+        layout.columns.names.pop_back();
+        layout.says.pop_back();
     }
 };
 
@@ -296,6 +311,7 @@ CsvLayout find_layout(const std::vector<NumberedLine>& lines, const std::vector<
     const char forced = stated_delimiter(lines.front().text);
     builder.split_rows(forced ? 1 : 0, forced);
     if (builder.rows.empty()) return builder.layout;
+    builder.layout.watch = GroupingWatch(builder.width, builder.layout.dialect.decimal());
     if (builder.find_table()) {
         builder.find_header();
         builder.regroup();
@@ -306,12 +322,7 @@ CsvLayout find_layout(const std::vector<NumberedLine>& lines, const std::vector<
     builder.read_the_preamble();
     CsvLayout& layout = builder.layout;
     layout.first_row = builder.table < builder.rows.size() ? builder.rows[builder.table].line : lines.size();
-    if (layout.dialect.delimiter != ' ' && layout.columns.names.size() > 1 && layout.columns.names.back().empty() &&
-        layout.columns.has_header) {
-        layout.dialect.trailing_delimiter = true;
-        layout.columns.names.pop_back();
-        layout.says.pop_back();
-    }
+    builder.drop_trailing_column();
     return layout;
 }
 

@@ -6,6 +6,7 @@
 #include "recordings/files/file_statements.hpp"
 #include "recordings/text/column_address.hpp"
 #include "recordings/text/csv_dialect.hpp"
+#include "recordings/text/grouping_watch.hpp"
 #include "recordings/text/preamble.hpp"
 
 namespace railpem::recordings {
@@ -16,7 +17,8 @@ struct CsvLayout {
     ColumnNames columns;
     std::vector<ColumnStatement> says;  ///< per column: its unit, from a row of units or from behind its name
     Preamble preamble;
-    std::size_t first_row = 0;  ///< index into the lines of the first row of the table
+    GroupingWatch watch{0, '.'};  ///< has seen the first rows of the table
+    std::size_t first_row = 0;    ///< index into the lines of the first row of the table
     std::vector<std::string> notes;
 };
 

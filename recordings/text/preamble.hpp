@@ -17,7 +17,7 @@ struct NumberedLine {
 struct Preamble {
     double sampling_rate_hz = 0.0;  ///< 0: not said
     std::string sampling_rate_where;
-    std::string unit, unit_where;  ///< of every column that says none itself; empty: not said
+    std::string unit, unit_where;  ///< of the channels that say none themselves; empty: not said
     std::string start;             ///< date and time; empty: not said
 };
 

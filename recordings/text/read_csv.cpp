@@ -48,7 +48,6 @@ void CsvReader::read_layout(const std::vector<std::string>& wanted) {
     if (names().size() > limits_.columns)
         throw ReadError(file(), header_line(), fmt::format("{} columns", names().size()),
                         fmt::format("at most {} columns", limits_.columns));
-    watch_ = GroupingWatch(names().size(), dialect().decimal());
     std::vector<std::size_t> all(names().size());
     for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
     select(std::move(all));
@@ -120,12 +119,15 @@ void CsvReader::refuse_cell(std::size_t column, std::string_view field) const {
 }
 
 void CsvReader::watch_grouping(std::size_t column, std::string_view field) {
-    if (dialect().grouped || !watch_.observe(column, field)) return;
+    // The first rows were seen when the layout was found.
+    GroupingWatch& watch = layout_.watch;
+    const bool doubtful = line_ <= ahead_.back().number ? watch.doubtful(column) : watch.observe(column, field);
+    if (dialect().grouped || !doubtful) return;
     throw ReadError(
         file(), line_,
         fmt::format("'{}' in column '{}' may be a number of three decimals or thousands: the numbers of this "
                     "column have three digits behind the sign or none at all",
-                    watch_.example(column), text_of(names()[column])),
+                    watch.example(column), text_of(names()[column])),
         "numbers without a sign between thousands, or with the same decimals in every row");
 }
 
@@ -137,7 +139,7 @@ double CsvReader::parse_cell(std::size_t column, std::string_view field) {
         if (!time) refuse_cell(column, field);
         return *time;
     }
-    if (kind == FieldKind::number && watch_.watches(column)) watch_grouping(column, field);
+    if (kind == FieldKind::number && layout_.watch.watches(column)) watch_grouping(column, field);
     constexpr std::size_t most_words = 20;
     if (kind == FieldKind::missing && !field.empty() && missing_.size() < most_words) ++missing_[text_of(field)];
     return value;
@@ -171,7 +173,7 @@ bool CsvReader::parse_plain_row(std::string_view line, std::vector<std::vector<d
         }
         if (target >= 0) {
             columns[static_cast<std::size_t>(target)].push_back(value);
-            if (watch_.watches(i)) watch_grouping(i, std::string_view(at, static_cast<std::size_t>(stop - at)));
+            if (layout_.watch.watches(i)) watch_grouping(i, std::string_view(at, static_cast<std::size_t>(stop - at)));
         }
         at = stop + 1;
     }

@@ -9,7 +9,6 @@
 #include "recordings/files/data_table.hpp"
 #include "recordings/files/text_lines.hpp"
 #include "recordings/text/csv_layout.hpp"
-#include "recordings/text/grouping_watch.hpp"
 #include "recordings/text/time_writing.hpp"
 
 namespace railpem::recordings {
@@ -70,7 +69,6 @@ class CsvReader {
     std::size_t line_ = 0;  ///< of the row being parsed
     bool row_was_cut_ = false;
     std::vector<std::string_view> fields_;
-    GroupingWatch watch_{0, '.'};
     std::size_t time_column_;  ///< beyond all columns: none
     std::optional<long> first_day_;
     std::string first_time_;

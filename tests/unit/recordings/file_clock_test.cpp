@@ -46,7 +46,7 @@ void expect_500_hz(const Recording& recording) {
 }
 
 TEST(FileClock, UnitsThatTheFileNames) {
-    for (const char* header : {"Time (ms)", "time [ms]", "time_ms", "t [msec]", "Zeit, ms"})
+    for (const char* header : {"Time (ms)", "time [ms]", "time_ms", "t [msec]", "\"Zeit, ms\""})
         expect_500_hz(record(header, [](int i) { return std::to_string(2 * i); }));
     expect_500_hz(record("time [us]", [](int i) { return std::to_string(2000L * i); }));
     expect_500_hz(record("Time (min)", [](int i) { return fmt::format("{:.9f}", i / 30000.0); }));
@@ -61,7 +61,7 @@ TEST(FileClock, TheStatedRateTellsTheUnit) {
     expect_500_hz(record(
         "t", [](int i) { return std::to_string(i); }, 500.0));  // numbers of samples
     expect_500_hz(record(
-        "time", [](int i) { return fmt::format("{:.10f}", i / (500.0 * 86400.0)); }, 500.0));
+        "time", [](int i) { return fmt::format("{:.13f}", i / (500.0 * 86400.0)); }, 500.0));
 }
 
 TEST(FileClock, WithoutUnitAndRateSlowTimesAreAnError) {
@@ -143,7 +143,10 @@ TEST(FileClock, WholeSecondsNeedAStatedRate) {
 TEST(FileClock, TimesRoundedBelowTheIntervalKeepTheRate) {
     const Recording recording = record("time", [](int i) { return fmt::format("{:.3f}", i / 1024.0); });
     EXPECT_NEAR(recording.series.sampling_rate_hz, 1024.0, 0.6);  // one rounding of 1 ms in 2 s
-    for (const Fault& fault : inspect(recording, {}).faults) EXPECT_NE(fault.severity, Severity::error) << fault.says;
+    for (const Fault& fault : inspect(recording, {}).faults) {
+        if (fault.kind == FaultKind::too_short) continue;
+        EXPECT_NE(fault.severity, Severity::error) << fault.says;
+    }
 }
 
 TEST(TimeStamp, ReadsWhatLoggersWrite) {

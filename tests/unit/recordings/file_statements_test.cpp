@@ -37,28 +37,29 @@ Recording loaded(const std::string& content, const RecordingDescription& descrip
     return load(description, folder.path());
 }
 
-const std::string rows = "0.0,1.5\n0.1,-2.5\n0.2,3.5\n0.3,0.5\n";
+const std::string four_rows = "0.0,1.5\n0.1,-2.5\n0.2,3.5\n0.3,0.5\n";
 
 TEST(FileStatements, UnitsOfTheFileAreUsedWhereTheDescriptionIsSilent) {
     for (const std::string header : {"time,a [g]\n", "time,a (g)\n", "time,a\ns,g\n", "time,a\n[s],[g]\n",
                                      "time,\"a, g\"\n", "Unit: g\ntime,a\n"}) {
-        const Recording recording = loaded(header + rows, one_channel("r.csv"));
+        const Recording recording = loaded(header + four_rows, one_channel("r.csv"));
         EXPECT_DOUBLE_EQ(recording.series.channels[0].samples[0], 1.5 * g) << header;
         EXPECT_TRUE(recording.contradictions.empty()) << header;
         EXPECT_NE(recording.series.channels[0].unit_says.find("g by the data file ("), std::string::npos) << header;
     }
-    EXPECT_DOUBLE_EQ(loaded("time,a [mm/s\xC2\xB2]\n" + rows, one_channel("r.csv")).series.channels[0].samples[0],
+    EXPECT_DOUBLE_EQ(loaded("time,a [mm/s\xC2\xB2]\n" + four_rows, one_channel("r.csv")).series.channels[0].samples[0],
                      1.5e-3);
-    EXPECT_EQ(loaded("time,a\n" + rows, one_channel("r.csv")).series.channels[0].unit_says, "m/s^2, which nobody says");
+    EXPECT_EQ(loaded("time,a\n" + four_rows, one_channel("r.csv")).series.channels[0].unit_says,
+              "m/s^2, which nobody says");
 }
 
 TEST(FileStatements, TheInspectionSaysWhereEachUnitComesFrom) {
-    const InspectionReport report = inspect(loaded("time,a\ns,g\n" + rows, one_channel("r.csv")), {});
+    const InspectionReport report = inspect(loaded("time,a\ns,g\n" + four_rows, one_channel("r.csv")), {});
     EXPECT_EQ(unit_words(report), "Numbers in the file: g by the data file (row of units, line 2).");
 }
 
 TEST(FileStatements, AContradictionIsOneMessageWithBoth) {
-    const Recording recording = loaded("time,a\ns,g\n" + rows, one_channel("r.csv", "m/s^2"));
+    const Recording recording = loaded("time,a\ns,g\n" + four_rows, one_channel("r.csv", "m/s^2"));
     EXPECT_DOUBLE_EQ(recording.series.channels[0].samples[0], 1.5);  // the description is followed
     ASSERT_EQ(recording.contradictions.size(), 1U);
     EXPECT_EQ(recording.contradictions[0].kind, FaultKind::wrong_unit);
@@ -68,8 +69,8 @@ TEST(FileStatements, AContradictionIsOneMessageWithBoth) {
               std::string::npos)
         << recording.contradictions[0].says;
     EXPECT_EQ(inspect(recording, {}).faults.front().kind, FaultKind::wrong_unit);
-    EXPECT_TRUE(loaded("time,a\ns,g\n" + rows, one_channel("r.csv", "g")).contradictions.empty());
-    EXPECT_TRUE(loaded("time,a [m/s2]\n" + rows, one_channel("r.csv", "m/s\xC2\xB2")).contradictions.empty());
+    EXPECT_TRUE(loaded("time,a\ns,g\n" + four_rows, one_channel("r.csv", "g")).contradictions.empty());
+    EXPECT_TRUE(loaded("time,a [m/s2]\n" + four_rows, one_channel("r.csv", "m/s\xC2\xB2")).contradictions.empty());
 }
 
 TEST(FileStatements, AScaleFactorThatConvertsTheFilesUnitIsNoContradiction) {
@@ -78,24 +79,24 @@ TEST(FileStatements, AScaleFactorThatConvertsTheFilesUnitIsNoContradiction) {
         description.channels[0].scale_factor = factor;
         return description;
     };
-    Recording recording = loaded("time,a [g]\n" + rows, with_factor("m/s^2", 9.81));
+    Recording recording = loaded("time,a [g]\n" + four_rows, with_factor("m/s^2", 9.81));
     EXPECT_DOUBLE_EQ(recording.series.channels[0].samples[0], 1.5 * 9.81);
     EXPECT_TRUE(recording.contradictions.empty());
-    EXPECT_TRUE(loaded("time,a [V]\n" + rows, with_factor("m/s^2", 98.0)).contradictions.empty());
-    EXPECT_TRUE(loaded("time,a [g]\n" + rows, with_factor("g", 1.02)).contradictions.empty());
-    recording = loaded("time,a [g]\n" + rows, with_factor("", 9.80665));  // as it was written before files spoke
+    EXPECT_TRUE(loaded("time,a [V]\n" + four_rows, with_factor("m/s^2", 98.0)).contradictions.empty());
+    EXPECT_TRUE(loaded("time,a [g]\n" + four_rows, with_factor("g", 1.02)).contradictions.empty());
+    recording = loaded("time,a [g]\n" + four_rows, with_factor("", 9.80665));  // as it was written before files spoke
     EXPECT_DOUBLE_EQ(recording.series.channels[0].samples[0], 1.5 * g);
-    EXPECT_EQ(loaded("time,a [g]\n" + rows, with_factor("m/s^2", 2.0)).contradictions.size(), 1U);
+    EXPECT_EQ(loaded("time,a [g]\n" + four_rows, with_factor("m/s^2", 2.0)).contradictions.size(), 1U);
 }
 
 TEST(FileStatements, UnitsThatAreNoneOfTheQuantity) {
-    const Recording volts = loaded("time,a [V]\n" + rows, one_channel("r.csv"));
+    const Recording volts = loaded("time,a [V]\n" + four_rows, one_channel("r.csv"));
     ASSERT_EQ(volts.contradictions.size(), 1U);
     EXPECT_EQ(volts.contradictions[0].kind, FaultKind::unknown_scale);
     EXPECT_EQ(volts.series.channels[0].description.scale, Scale::unknown);
-    EXPECT_EQ(loaded("time,a [V]\n" + rows, one_channel("r.csv", "m/s^2")).contradictions.size(), 1U);
+    EXPECT_EQ(loaded("time,a [V]\n" + four_rows, one_channel("r.csv", "m/s^2")).contradictions.size(), 1U);
     try {
-        loaded("time,a [mm/s]\n" + rows, one_channel("r.csv"));
+        loaded("time,a [mm/s]\n" + four_rows, one_channel("r.csv"));
         FAIL();
     } catch (const parameters::ParameterError& error) {
         EXPECT_EQ(error.key(), "channel[1].quantity");
