@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "parameters/parameter_error.hpp"
-#include "recordings/files/read_csv.hpp"
 #include "recordings/files/read_error.hpp"
+#include "recordings/text/read_csv.hpp"
 #include "spectra/profile_spectrum.hpp"
 
 namespace railpem::recordings {
@@ -27,7 +27,7 @@ struct TwoColumns {
 
 TwoColumns read_columns(const std::string& file, const std::string& x_name, const std::string& y_name,
                         const ReadLimits& limits) {
-    CsvReader reader(file, limits);
+    CsvReader reader(file, limits, {x_name, y_name});
     reader.select({require_name(x_name, reader.names(), "column", file, reader.header_line()),
                    require_name(y_name, reader.names(), "column", file, reader.header_line())});
     TwoColumns table{.file = file};

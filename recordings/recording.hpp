@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "recordings/fault.hpp"
 #include "recordings/measured_irregularity.hpp"
 #include "recordings/recording_description.hpp"
 
@@ -14,6 +15,7 @@ namespace railpem::recordings {
 struct Channel {
     ChannelDescription description;
     std::vector<double> samples;  ///< m/s², m/s or m by description.quantity
+    std::string unit_says;        ///< in words: unit of the numbers in the file, and who says so
 };
 
 /// Vibration channels sampled together, and the state of the train.
@@ -35,6 +37,7 @@ struct ChannelSpectrum {
     std::vector<double> frequency_hz;
     std::vector<double> psd;             ///< one-sided, SI unit of the quantity squared per Hz
     std::vector<double> standard_error;  ///< of psd; empty when not stated
+    std::string unit_says;               ///< in words: unit of the numbers in the file, and who says so
 };
 
 /// Rail receptance without a vehicle, m/N.
@@ -61,7 +64,9 @@ struct Recording {
     MeasuredDecayRate decay_rate;
     MeasuredIrregularity irregularity;  ///< with any kind; nothing brought when the description names no file
     std::vector<std::string> lacks;     ///< what this kind of data cannot tell, in words
-    std::vector<std::string> notes;  ///< what the reader saw and did not change: a row of units, another encoding, …
+    std::vector<std::string> notes;     ///< what the reader saw and did not change: another encoding, …
+    std::vector<Fault> contradictions;  ///< what the data file says against its description, or against itself
+    std::string start;                  ///< date and time of the first sample as the file says; empty: not said
 };
 
 }  // namespace railpem::recordings

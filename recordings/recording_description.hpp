@@ -1,6 +1,7 @@
 #pragma once
 // The description of a recording as data: what stands in recording.toml.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,8 +19,9 @@ struct ChannelDescription {
     std::string name;
     std::string column;  ///< CSV column, MAT variable, UFF record, WAV channel, HDF5 dataset; empty: the name
     ChannelQuantity quantity = ChannelQuantity::acceleration;
-    std::string unit;           ///< empty: the SI unit of the quantity
-    double scale_factor = 1.0;  ///< number in the file × scale_factor = value in `unit`
+    std::string unit;  ///< empty: as the data file says, else the SI unit of the quantity
+    std::optional<double>
+        scale_factor;  ///< number in the file × this = value in `unit`; empty: as the file says, else 1
     Scale scale = Scale::known;
     double gain_standard_error = 0.01;  ///< relative, of the sensor's calibration; 0: exact
     Location location = Location::none;

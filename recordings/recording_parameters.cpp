@@ -17,7 +17,8 @@ Fields<RecordingDescription> recording_fields() {
         text(&R::title, "title", "one line that names the recording"),
         choice(&R::kind, "kind", {"timeseries", "psd", "points", "receptance", "decay-rate"},
                "what the data file holds"),
-        text(&R::data, "data", "the data file: .csv (or .csv.gz), .mat, .uff or .unv, .wav, .h5; relative to this file")
+        text(&R::data, "data",
+             "the data file: .csv or other text, .mat, .uff or .unv, .wav, .h5; relative to this file")
             .required(),
         number(&R::sampling_rate_hz, "sampling_rate_hz", "Hz", positive(),
                "sampling rate of a time series, where the data file does not say it"),
@@ -29,25 +30,44 @@ Fields<RecordingDescription> recording_fields() {
         text(&R::irregularity, "irregularity",
              "measured irregularity: a CSV with cycles_per_m and psd_m3, or position_m and height_m (up positive)"),
         text(&R::time_column, "time_column",
-             "column with the time in s; without it a column named time_s, time or t is used when there is one"),
+             "column with the time; without it a column named time_s, time, t, timestamp or the like is used when "
+             "there is one"),
         integer(&R::averages, "averages", between(1, 1000000000), "kind psd: independent averages behind every value"),
         choice(&R::place, "place", {"over_pad", "mid_bay"}, "kind receptance: where the rail was struck and measured"),
     };
 }
+
+namespace {
+
+/// Whether it is stated matters: where it is not, the data file may state one.
+Field<ChannelDescription> scale_factor_field() {
+    using C = ChannelDescription;
+    return {{.key = "scale_factor",
+             .unit = "1",
+             .kind = Kind::number,
+             .range = any_number(),
+             .says = "the number in the file times this is the value in the unit (for instance the full scale of a WAV "
+                     "file); without it what the data file says, else 1"},
+            [](const C& channel) { return Value(channel.scale_factor.value_or(1.0)); },
+            [](C& channel, const Value& value) { channel.scale_factor = std::get<double>(value); }};
+}
+
+}  // namespace
 
 Fields<ChannelDescription> channel_fields() {
     using C = ChannelDescription;
     return {
         text(&C::name, "name", "name of the channel in every table").required(),
         text(&C::column, "column",
-             "CSV column, MAT variable, UFF record, WAV channel or HDF5 dataset (name:3 is its third column); without "
-             "it the name"),
+             "CSV column (name:2 is the second of that name, 5 the fifth of all), MAT variable (also run.y, "
+             "ch(2).y, sig{2}), UFF record, WAV channel or HDF5 dataset (name:3 is its third column); without it the "
+             "name"),
         choice(&C::quantity, "quantity", {"acceleration", "velocity", "displacement", "speed", "mileage"},
                "what is measured; speed and mileage are of the train"),
-        text(&C::unit, "unit", "unit of the numbers, such as m/s^2, g, mm/s, um, km/h; without it the SI unit"),
-        number(
-            &C::scale_factor, "scale_factor", "1", any_number(),
-            "the number in the file times this is the value in the unit (for instance the full scale of a WAV file)"),
+        text(&C::unit, "unit",
+             "unit of the numbers, such as m/s^2, g, mm/s, um, km/h; without it what the data file says, else the SI "
+             "unit"),
+        scale_factor_field(),
         choice(&C::scale, "scale", {"known", "unknown"}, "unknown: the unit cannot be trusted, levels say nothing"),
         number(&C::gain_standard_error, "gain_standard_error", "1", between(0.0, 0.5),
                "relative standard error of the sensor's calibration; 0: exact"),

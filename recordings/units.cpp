@@ -10,23 +10,12 @@
 namespace railpem::recordings {
 namespace {
 
-struct Unit {
-    const char* name;
-    double factor;
-};
-
-const std::vector<Unit>& units_of(ChannelQuantity quantity) {
-    static const std::vector<Unit> acceleration = {{"m/s^2", 1.0},
-                                                   {"g", standard_gravity_m_per_s2},
-                                                   {"mg", 1e-3 * standard_gravity_m_per_s2},
-                                                   {"mm/s^2", 1e-3},
-                                                   {"cm/s^2", 1e-2},
-                                                   {"um/s^2", 1e-6}};
-    static const std::vector<Unit> velocity = {
-        {"m/s", 1.0}, {"mm/s", 1e-3}, {"cm/s", 1e-2}, {"um/s", 1e-6}, {"km/h", 1.0 / 3.6}};
-    static const std::vector<Unit> displacement = {{"m", 1.0}, {"mm", 1e-3}, {"um", 1e-6}, {"cm", 1e-2}};
-    static const std::vector<Unit> speed = {{"m/s", 1.0}, {"km/h", 1.0 / 3.6}};
-    static const std::vector<Unit> mileage = {{"m", 1.0}, {"km", 1e3}};
+const std::vector<const char*>& units_of(ChannelQuantity quantity) {
+    static const std::vector<const char*> acceleration = {"m/s^2", "g", "mg", "mm/s^2", "cm/s^2", "um/s^2"};
+    static const std::vector<const char*> velocity = {"m/s", "mm/s", "cm/s", "um/s", "km/h"};
+    static const std::vector<const char*> displacement = {"m", "mm", "um", "cm"};
+    static const std::vector<const char*> speed = {"m/s", "km/h"};
+    static const std::vector<const char*> mileage = {"m", "km"};
     switch (quantity) {
         case ChannelQuantity::acceleration:
             return acceleration;
@@ -43,45 +32,44 @@ const std::vector<Unit>& units_of(ChannelQuantity quantity) {
     return acceleration;
 }
 
-void replace_all(std::string& text, std::string_view from, std::string_view to) {
-    for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
-        text.replace(at, from.size(), to);
-}
-
-/// One spelling for the many: "µm", "μm" → "um"; "m/s²", "m/s2", "m/s**2", "m s-2" → "m/s^2".
-std::string normalised(std::string_view unit) {
-    std::string text(unit);
-    replace_all(text, "\xC2\xB5", "u");  // micro sign
-    replace_all(text, "\xCE\xBC", "u");  // Greek mu
-    replace_all(text, "\xC2\xB2", "^2");
-    replace_all(text, "**2", "^2");
-    replace_all(text, "s2", "s^2");
-    replace_all(text, " s-2", "/s^2");
-    replace_all(text, " s^-2", "/s^2");
-    replace_all(text, "kmh", "km/h");
-    replace_all(text, " ", "");
-    return text;
+Dimension dimension_of(ChannelQuantity quantity) {
+    switch (quantity) {
+        case ChannelQuantity::acceleration:
+            return Dimension::acceleration;
+        case ChannelQuantity::velocity:
+        case ChannelQuantity::speed:
+            return Dimension::velocity;
+        case ChannelQuantity::displacement:
+        case ChannelQuantity::mileage:
+            return Dimension::length;
+    }
+    assert(false);
+    return Dimension::other;
 }
 
 }  // namespace
 
 std::vector<std::string> allowed_units(ChannelQuantity quantity) {
     std::vector<std::string> names;
-    for (const Unit& unit : units_of(quantity)) names.emplace_back(unit.name);
+    for (const char* unit : units_of(quantity)) names.emplace_back(unit);
     return names;
+}
+
+std::optional<double> factor_of_unit(std::string_view unit, ChannelQuantity quantity) {
+    const std::optional<KnownUnit> known = known_unit(unit);
+    if (!known || known->dimension != dimension_of(quantity)) return std::nullopt;
+    return known->factor;
 }
 
 double to_si_factor(std::string_view unit, ChannelQuantity quantity, const std::string& key) {
     if (unit.empty()) return 1.0;
-    const std::string name = normalised(unit);
-    for (const Unit& candidate : units_of(quantity))
-        if (name == candidate.name) return candidate.factor;
+    if (const std::optional<double> factor = factor_of_unit(unit, quantity)) return *factor;
     throw parameters::ParameterError(key, fmt::format("'{}' is not a unit of {}", unit, quantity_name(quantity)),
                                      fmt::format("{}", fmt::join(allowed_units(quantity), ", ")));
 }
 
 std::string si_unit(ChannelQuantity quantity) {
-    return units_of(quantity).front().name;
+    return units_of(quantity).front();
 }
 
 std::string value_unit(const ChannelDescription& channel) {

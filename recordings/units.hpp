@@ -1,20 +1,22 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "recordings/files/known_units.hpp"
 #include "recordings/recording_description.hpp"
 
 namespace railpem::recordings {
-
-/// Standard gravity, m/s² (CGPM 1901): what one g is.
-inline constexpr double standard_gravity_m_per_s2 = 9.80665;
 
 /// Factor from `unit` to the SI unit of the quantity (m/s², m/s, m). Empty unit: 1. Accepts ^2, ² and 2, and both signs
 /// for micro. Throws parameters::ParameterError with `key`, listing what is allowed, for a unit that is not one of the
 /// quantity.
 double to_si_factor(std::string_view unit, ChannelQuantity quantity, const std::string& key);
+
+/// The same without a refusal: empty when `unit` is not one of the quantity.
+std::optional<double> factor_of_unit(std::string_view unit, ChannelQuantity quantity);
 
 /// Units that to_si_factor accepts for the quantity.
 std::vector<std::string> allowed_units(ChannelQuantity quantity);

@@ -37,7 +37,7 @@ ROOMS = {
     "track": ["ground", "elements", "pads", "statics", "rail"],
     "pem": ["ground", "rail", "coupling", "distortion"],
     "simulate": ["numerics", "ground", "track", "vehicle", "march", "effects"],
-    "recordings": ["files", "ground", "loading", "estimates", "checks", "page", "inspection"],
+    "recordings": ["files", "matlab", "text", "ground", "loading", "estimates", "checks", "page", "inspection"],
     "app": ["ground", "schema", "tables", "page", "report", "prove", "verbs"],
 }
 # Where the program begins, it knows everything.

@@ -25,6 +25,8 @@
 #include <charconv>
 #include <cstring>
 
+#include "recordings/files/visible_text.hpp"
+
 namespace railpem::app {
 
 Entry* Node::find(const std::string& key) {
@@ -78,7 +80,7 @@ Node convert(const toml::node& value);
 std::vector<Entry> convert_entries(const toml::table& table) {
     std::vector<Entry> entries;
     for (const auto& [key, value] : table)
-        entries.push_back({std::string(key.str()), place_of(key.source()), convert(value)});
+        entries.push_back({recordings::visible(key.str()), place_of(key.source()), convert(value)});
     const auto stands_before = [](const Entry& a, const Entry& b) {
         return a.place.line != b.place.line ? a.place.line < b.place.line : a.place.column < b.place.column;
     };
@@ -104,7 +106,7 @@ Node convert(const toml::node& value) {
             break;
         case toml::node_type::string:
             node.kind = NodeKind::text;
-            node.text = value.as_string()->get();
+            node.text = recordings::visible(value.as_string()->get());
             break;
         case toml::node_type::array:
             node.kind = NodeKind::array;

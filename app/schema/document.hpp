@@ -14,7 +14,8 @@ enum class NodeKind { boolean, integer, number, text, date, array, table };
 
 struct Entry;
 
-/// A value of a TOML document; only the member of its kind means something.
+/// A value of a TOML document; only the member of its kind means something. Control characters in keys and texts are
+/// written out (recordings/files/visible_text.hpp): nothing that is shown later can forge what stands around it.
 struct Node {
     NodeKind kind = NodeKind::table;
     bool boolean = false;

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 #include "app/schema/describe_table.hpp"
+#include "recordings/files/visible_text.hpp"
 #include "recordings/loading/load_recording.hpp"
 #include "recordings/recording_parameters.hpp"
 
@@ -34,15 +34,29 @@ constexpr const char* kRecordingIntroduction =
     "(a speed, a sampling rate that the data file holds) may be left out; nothing is guessed.\n\n"
     "| kind | the data file holds |\n"
     "|---|---|\n"
-    "| `timeseries` | the samples of every channel: .csv (.gz), .mat (v5, v7.3), .uff or .unv (dataset 58, 58b), .wav, "
-    ".h5 |\n"
-    "| `psd` | CSV: `frequency_hz`, and per channel its PSD in the channel's unit squared per Hz |\n"
+    "| `timeseries` | the samples of every channel: text (.csv, .txt, .tsv, .dat, .asc, .prn, .tab, also .gz), .mat "
+    "(v5, v7.3), .uff or .unv (dataset 58, 58b), .wav or .w64, .h5 |\n"
+    "| `psd` | CSV: `frequency_hz`, and per channel its PSD in the channel's unit squared per Hz; or universal file: "
+    "function type 9 |\n"
     "| `points` | CSV: `channel`, `frequency_hz`, `value`, as a paper quotes them; optional `standard_error` |\n"
-    "| `receptance` | CSV: `frequency_hz`, and `re_m_per_n`, `im_m_per_n` or `magnitude_m_per_n` |\n"
+    "| `receptance` | CSV: `frequency_hz`, and `re_m_per_n`, `im_m_per_n` or `magnitude_m_per_n`; or "
+    "universal file: function type 4 over force, the first or that of a `[[channel]]` |\n"
     "| `decay-rate` | CSV: `centre_hz`, `decay_rate_db_per_m`; optional `standard_error_db_per_m` |\n\n"
-    "A CSV file has a header row; fields end in a comma, a semicolon, a tab or blanks, numbers have a decimal point or "
-    "comma, lines\n"
-    "that start with `#`, `%` or `//` are comments, and an empty field is a missing sample.\n\n"
+    "A text file is a table under a row of names; fields end in a comma, a semicolon, a tab or blanks. What stands "
+    "above "
+    "the names is\n"
+    "a preamble, a row of units may stand below. Numbers have a decimal point or comma, and may have their thousands "
+    "grouped. Lines\n"
+    "that start with `#`, `%` or `//` are comments. An empty field, or a word such as NaN, #N/A, OVL or ---, is a "
+    "missing "
+    "sample.\n"
+    "A column is addressed by its name, by `name:2` where two have the same name, or by its number. Times are seconds, "
+    "another unit\n"
+    "that the header names, dates, times of day, or counted since 1970.\n\n"
+    "What the data file says of its numbers (units, scale, sampling rate) counts where the description is silent. "
+    "Where "
+    "both speak\n"
+    "and differ, the description is followed and `inspect` says both.\n\n"
     "This page is printed by `railpem describe recording` from the same description that reads the file.";
 
 /// The description that a path means: the file, or the one in the folder.
@@ -56,11 +70,10 @@ fs::path description_path(const std::string& path) {
                             kDescriptionName));
         return inside;
     }
-    static const std::array<std::string, 12> data_endings{".csv", ".gz",   ".mat", ".uff",  ".unv", ".wav",
-                                                          ".w64", ".rf64", ".h5",  ".hdf5", ".txt", ".tsv"};
-    if (std::find(data_endings.begin(), data_endings.end(), fs::path(path).extension().string()) !=
-            data_endings.end() &&
-        fs::exists(path, status))
+    const std::vector<std::string>& endings = recordings::data_file_endings();
+    const bool is_data =
+        std::any_of(endings.begin(), endings.end(), [&](const std::string& ending) { return path.ends_with(ending); });
+    if (is_data && fs::exists(path, status))
         throw InputError(
             fmt::format("{}: is data without its description\nallowed: a TOML file that names it in `data`; railpem "
                         "describe recording says how",
@@ -68,10 +81,11 @@ fs::path description_path(const std::string& path) {
     return path;
 }
 
-/// Outputs of a recording that lies in a folder of its own are called after the folder.
+/// Outputs of a recording that lies in a folder of its own are called after the folder, in characters that can be
+/// shown.
 std::string recording_name(const fs::path& file) {
     const std::string folder = fs::absolute(file).lexically_normal().parent_path().filename().string();
-    return file.filename() == kDescriptionName && !folder.empty() ? folder : file.stem().string();
+    return recordings::visible(file.filename() == kDescriptionName && !folder.empty() ? folder : file.stem().string());
 }
 
 void check_irregularity(const RecordingFile& file) {

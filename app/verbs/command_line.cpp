@@ -16,6 +16,7 @@
 #include "app/schema/nearest_key.hpp"
 #include "app/schema/schema.hpp"
 #include "app/verbs/verbs.hpp"
+#include "recordings/files/visible_text.hpp"
 
 namespace railpem::app {
 
@@ -65,7 +66,8 @@ InputError refused_arguments(const CLI::App& program, const CLI::ParseError& err
 }
 
 int say(const std::string& message, int status) {
-    std::fputs((message + "\n").c_str(), stderr);
+    // Names of files and words of theirs are among it.
+    std::fputs((recordings::visible_lines(message) + "\n").c_str(), stderr);
     return status;
 }
 

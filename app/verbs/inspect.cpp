@@ -17,6 +17,7 @@
 namespace railpem::app {
 
 namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
 
 namespace {
 
@@ -77,9 +78,11 @@ void print_reports(const InspectRequest& request, const std::vector<recordings::
             std::fputs(((i > 0 ? "\n" : "") + recordings::to_text(reports[i])).c_str(), stdout);
         return;
     }
-    nlohmann::ordered_json all = nlohmann::ordered_json::array();
+    Json all = Json::array();
     for (const recordings::InspectionReport& report : reports) all.push_back(recordings::to_json(report));
-    std::fputs(((all.size() == 1 ? all.front() : all).dump(2) + "\n").c_str(), stdout);
+    std::fputs(
+        ((all.size() == 1 ? all.front() : all).dump(2, ' ', false, Json::error_handler_t::replace) + "\n").c_str(),
+        stdout);
 }
 
 int inspect(const InspectRequest& request) {
@@ -91,7 +94,8 @@ int inspect(const InspectRequest& request) {
     const std::vector<recordings::InspectionReport> reports = inspect_all(request, files);
     for (std::size_t i = 0; i < reports.size() && folder; ++i) {
         folder->write(files[i].name + ".inspection.html", recordings::to_html(reports[i]));
-        folder->write(files[i].name + ".inspection.json", recordings::to_json(reports[i]).dump(2) + "\n");
+        folder->write(files[i].name + ".inspection.json",
+                      recordings::to_json(reports[i]).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
     }
     if (page) page->write(fs::path(request.html).filename().string(), recordings::to_html(reports.front()));
     if (folder) folder->commit();

@@ -123,7 +123,10 @@ LoadedRecordings loaded_from(ReadRecording& own, const DiagnosisRequest& request
         return diagnosis::observe_scalars(own.recording, own.description.name, believed.numbers, options);
     });
     loaded.irregularity_measured.push_back(own.recording.irregularity.brought());
-    loaded.add(observation, {}, unused_spectra(own.recording, observation));
+    std::vector<std::string> faults;
+    for (const recordings::Fault& fault : own.recording.contradictions)
+        faults.push_back(fmt::format("{}: {}", fmt::join(fault.channels, ", "), fault.says));
+    loaded.add(observation, faults, unused_spectra(own.recording, observation));
     return loaded;
 }
 

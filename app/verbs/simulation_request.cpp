@@ -9,7 +9,7 @@
 #include "app/schema/read_table.hpp"
 #include "app/schema/recording_schema.hpp"
 #include "app/schema/world_option.hpp"
-#include "recordings/files/read_csv.hpp"
+#include "recordings/text/read_csv.hpp"
 #include "simulate/march/simulate.hpp"
 
 namespace railpem::app {

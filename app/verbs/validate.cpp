@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <vector>
 
 #include "app/schema/case_file.hpp"
 #include "app/schema/read_table.hpp"
@@ -10,6 +12,7 @@
 #include "app/schema/sweep_schema.hpp"
 #include "app/verbs/verbs.hpp"
 #include "pem/rail/case_equilibrium.hpp"
+#include "recordings/files/visible_text.hpp"
 #include "recordings/loading/load_recording.hpp"
 
 namespace railpem::app {
@@ -22,17 +25,26 @@ bool is_sweep(const Document& document) {
 }
 
 int valid(const std::string& path, const std::string& kind, const std::string& title) {
-    fmt::print("{}: a valid {}{}{}\n", path, kind, title.empty() ? "" : ": ", title);
+    fmt::print("{}: a valid {}{}{}\n", recordings::visible(path), kind, title.empty() ? "" : ": ", title);
     return 0;
 }
 
-/// A recording is right when its data are: all of them are read, a section at a time.
+/// A recording is right when its data are: all of them are read, a section at a time. What its data file says against
+/// the description does not make it invalid, and is told.
 int validate_recording(const std::string& path) {
     const RecordingFile file = read_recording(path);
+    std::vector<recordings::Fault> contradictions;
     constexpr std::size_t kSection = 600000;  // samples per channel held at once
     reading_data(file, [&] {
-        recordings::load_in_sections(file.description, file.base, kSection, [](const recordings::Recording&) {});
+        recordings::load_in_sections(file.description, file.base, kSection, [&](const recordings::Recording& section) {
+            if (section.series.start_s == 0.0) contradictions = section.contradictions;
+        });
     });
+    for (const recordings::Fault& fault : contradictions)
+        std::fputs(
+            recordings::visible_lines(fmt::format("{}: {}: {}\n", path, severity_name(fault.severity), fault.says))
+                .c_str(),
+            stderr);
     return valid(path, "recording", file.description.title);
 }
 

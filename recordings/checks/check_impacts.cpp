@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <numeric>
@@ -18,8 +19,13 @@ constexpr std::size_t order = 32;
 /// added to the zero lag, so that a band-limited channel does not make the equations singular.
 std::vector<double> autoregression(const std::vector<double>& x) {
     std::vector<double> r(order + 1, 0.0);
-    for (std::size_t lag = 0; lag <= order; ++lag)
-        for (std::size_t n = lag; n < x.size(); ++n) r[lag] += x[n] * x[n - lag];
+    for (std::size_t n = 0; n < std::min(order, x.size()); ++n)
+        for (std::size_t lag = 0; lag <= n; ++lag) r[lag] += x[n] * x[n - lag];
+    std::array<double, order + 1> sum{};  // side by side, so that the compiler adds several lags at once
+    std::copy(r.begin(), r.end(), sum.begin());
+    for (std::size_t n = order; n < x.size(); ++n)
+        for (std::size_t lag = 0; lag <= order; ++lag) sum[lag] += x[n] * x[n - lag];
+    std::copy(sum.begin(), sum.end(), r.begin());
     r[0] *= 1.0 + 1e-9;
     std::vector<double> a(order + 1, 0.0);
     double error = r[0];
@@ -38,9 +44,13 @@ std::vector<double> autoregression(const std::vector<double>& x) {
 
 std::vector<double> prediction_errors(const std::vector<double>& x, const std::vector<double>& a) {
     std::vector<double> e(x.size(), 0.0);
-    for (std::size_t n = order; n < x.size(); ++n) {
-        e[n] = x[n];
-        for (std::size_t k = 1; k <= order; ++k) e[n] -= a[k] * x[n - k];
+    constexpr std::size_t together = 512;  // neighbours, so that the compiler predicts several at once
+    for (std::size_t begin = order; begin < x.size(); begin += together) {
+        const std::size_t end = std::min(x.size(), begin + together);
+        std::copy(x.begin() + static_cast<std::ptrdiff_t>(begin), x.begin() + static_cast<std::ptrdiff_t>(end),
+                  e.begin() + static_cast<std::ptrdiff_t>(begin));
+        for (std::size_t k = 1; k <= order; ++k)
+            for (std::size_t n = begin; n < end; ++n) e[n] -= a[k] * x[n - k];
     }
     return e;
 }

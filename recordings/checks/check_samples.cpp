@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/sort/spreadsort/float_sort.hpp>
 #include <cmath>
 
 #include "recordings/checks/checks.hpp"
@@ -192,7 +193,7 @@ void check_samples(const Evidence& evidence, std::vector<Fault>& faults) {
                 fault(evidence, i, FaultKind::constant, Severity::error, "the channel holds no number at all"));
             continue;
         }
-        std::sort(sorted.begin(), sorted.end());
+        boost::sort::spreadsort::float_sort(sorted.begin(), sorted.end());
         const double range = sorted.back() - sorted.front();
         if (range <= 1e-12 * std::max(std::abs(sorted.back()), std::abs(sorted.front())) || range == 0.0) {
             Fault found = fault(evidence, i, FaultKind::constant, Severity::error,

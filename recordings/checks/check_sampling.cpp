@@ -30,10 +30,53 @@ double written_step(const std::vector<double>& time) {
     return 0.0;
 }
 
+/// Of times that are written more coarsely than the samples follow each other, so that several share one: how far apart
+/// such times are, s. 0: every sample has a time of its own; a logger that now and then writes one twice is not meant.
+double coarse_step(const std::vector<double>& time, double rate) {
+    std::vector<double> steps;
+    std::size_t still = 0;
+    for (std::size_t i = 1; i < time.size(); ++i) {
+        if (time[i] > time[i - 1]) steps.push_back(time[i] - time[i - 1]);
+        still += time[i] == time[i - 1] ? 1 : 0;
+    }
+    if (still == 0 || steps.empty()) return 0.0;
+    const double step = std::max(median(steps), written_step(time));
+    return step > 1.01 / rate ? step : 0.0;
+}
+
+/// Coarse times show gaps that are longer than they are, and the rate over the whole record.
+void check_coarse_times(const std::vector<double>& time, double rate, double step, std::vector<Fault>& faults) {
+    faults.push_back(
+        whole_record(FaultKind::sampling_jitter, Severity::note,
+                     fmt::format("the times in the file are coarser than the sampling interval, about "
+                                 "{:.4g} samples share one: the rate was taken as stated, and gaps shorter "
+                                 "than {:.4g} s cannot be seen",
+                                 std::max(1.0, step * rate), step),
+                     step, "s"));
+    const auto changes = [&](std::size_t i) { return time[i] > time[i - 1]; };
+    std::size_t first = 1, last = time.size() - 1;
+    while (first < last && !changes(first)) ++first;
+    while (last > first && !changes(last)) --last;
+    const double elapsed = time[last] - time[first];
+    if (elapsed < 10.0 * step) return;  // too few times to tell a rate
+    const auto rows = static_cast<double>(last - first);
+    const double found = rows / elapsed;
+    // The first and the last change are known to a sample each, and rounding moves them by as much as it rounds.
+    if (std::abs(found / rate - 1.0) > std::max(1e-4, 2.0 / rows + (step * rate < 2.0 ? step / elapsed : 0.0)))
+        faults.push_back(whole_record(
+            FaultKind::sampling_rate, Severity::error,
+            fmt::format(
+                "the times in the file say {:.6g} Hz, {:g} Hz is stated: every frequency is off by {:.3g} %, or "
+                "samples are missing",
+                found, rate, 100.0 * (found / rate - 1.0)),
+            found, "Hz"));
+}
+
 void check_times(const Evidence& evidence, std::vector<Fault>& faults) {
     const auto& time = evidence.series().time_s;
     const double rate = evidence.series().sampling_rate_hz;
     if (time.size() < 3) return;
+    const double coarse = coarse_step(time, rate);
     std::vector<double> steps;
     std::size_t gaps = 0, backwards = 0, missing = 0;
     double longest = 0.0, at = 0.0;
@@ -43,8 +86,8 @@ void check_times(const Evidence& evidence, std::vector<Fault>& faults) {
             continue;
         }
         const double step = time[i] - time[i - 1];
-        backwards += step <= 0.0 ? 1 : 0;
-        if (step > 1.5 / rate) {
+        backwards += step < 0.0 || (step == 0.0 && coarse == 0.0) ? 1 : 0;
+        if (step > 1.5 / rate + coarse) {
             ++gaps;
             if (step > longest) {
                 longest = step;
@@ -69,6 +112,10 @@ void check_times(const Evidence& evidence, std::vector<Fault>& faults) {
             FaultKind::sampling_jitter, Severity::error,
             fmt::format("the time stands still or runs backwards {} times and is missing {} times", backwards, missing),
             static_cast<double>(backwards + missing), "1"));
+    if (coarse > 0.0) {
+        check_coarse_times(time, rate, coarse, faults);
+        return;
+    }
     if (steps.size() < 16) return;
     double mean = 0.0, square = 0.0;
     for (const double step : steps) mean += step / static_cast<double>(steps.size());

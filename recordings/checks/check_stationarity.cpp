@@ -68,13 +68,18 @@ void check_levels(const Evidence& evidence, std::vector<Fault>& faults) {
     const double duration = evidence.series().duration_s();
     if (duration < 4.0 * window_s * 2.0) return;
     const std::size_t count = std::min<std::size_t>(blocks, static_cast<std::size_t>(duration / (2.0 * window_s)));
+    TimeSeries whole;
+    whole.sampling_rate_hz = evidence.series().sampling_rate_hz;
+    for (const Channel& channel : evidence.series().channels)
+        whole.channels.push_back({channel.description, without_trend(channel.samples), {}});
     std::vector<CrossSpectra> parts;
     for (std::size_t b = 0; b < count; ++b) {
         const double from = duration * static_cast<double>(b) / static_cast<double>(count);
         try {
-            parts.push_back(estimate_cross_spectra(
-                evidence.series(),
-                {.window_s = window_s, .from_s = from, .to_s = from + duration / static_cast<double>(count)}));
+            parts.push_back(estimate_cross_spectra(whole, {.window_s = window_s,
+                                                           .remove_trend = false,
+                                                           .from_s = from,
+                                                           .to_s = from + duration / static_cast<double>(count)}));
         } catch (const parameters::ParameterError&) {  // a part without one complete window says nothing
         }
     }
@@ -188,12 +193,12 @@ void check_speed_by_delays(const Evidence& evidence, std::vector<Fault>& faults)
     std::vector<double> speeds, errors;
     for (std::size_t b = 0; b < count && count >= 2; ++b) {
         const auto cut = [&](std::size_t channel) {
-            const auto& x = evidence.detrended[channel];
+            const auto& x = evidence.slow(channel);
             return std::vector<double>(x.begin() + static_cast<std::ptrdiff_t>(b * x.size() / count),
                                        x.begin() + static_cast<std::ptrdiff_t>((b + 1) * x.size() / count));
         };
         const double usual = longest->delay.seconds;
-        const Delay delay = estimate_delay(cut(longest->front), cut(longest->rear), series.sampling_rate_hz,
+        const Delay delay = estimate_delay(cut(longest->front), cut(longest->rear), evidence.slow_rate_hz(),
                                            {.least_s = 0.7 * usual, .most_s = 1.4 * usual, .window_s = 1.0});
         if (!delay.found) continue;
         speeds.push_back(longest->distance_m / delay.seconds);

@@ -72,8 +72,8 @@ void check_same_place(const Evidence& evidence, double least, std::vector<Fault>
             if (a.location == Location::none || a.location == Location::body || a.location != b.location ||
                 a.index != b.index || a.quantity != b.quantity)
                 continue;
-            const Delay delay = estimate_delay(evidence.detrended[i], evidence.detrended[j],
-                                               evidence.series().sampling_rate_hz, {.least_s = -0.2, .most_s = 0.2});
+            const Delay delay = estimate_delay(evidence.slow(i), evidence.slow(j), evidence.slow_rate_hz(),
+                                               {.least_s = -0.2, .most_s = 0.2});
             const double error = std::hypot(delay.standard_error_s, 50e-6);
             // The two rails are not alike: only a clear common part says anything.
             if (!delay.found || delay.correlation < 0.5 || std::abs(delay.seconds) < std::max(least, 6.0 * error))

@@ -151,8 +151,15 @@ void among_channels(const Evidence& evidence, std::vector<Fault>& faults) {
 }  // namespace
 
 void check_unit(const Evidence& evidence, std::vector<Fault>& faults) {
+    const auto is_said = [&](const std::string& name) {
+        const auto& said = evidence.recording.contradictions;
+        return std::any_of(said.begin(), said.end(), [&](const Fault& fault) {
+            return fault.kind == FaultKind::unknown_scale &&
+                   std::find(fault.channels.begin(), fault.channels.end(), name) != fault.channels.end();
+        });
+    };
     for (const Channel& channel : evidence.series().channels)
-        if (channel.description.scale == Scale::unknown) {
+        if (channel.description.scale == Scale::unknown && !is_said(channel.description.name)) {
             Fault found;
             found.kind = FaultKind::unknown_scale;
             found.severity = Severity::note;

@@ -15,6 +15,10 @@
 
 namespace railpem::recordings::checks {
 
+/// Lines and delays are looked for up to here. Above, no line of a vehicle on its track has a name, and axle boxes
+/// share nothing: wheels filter waves shorter than the contact (2 kHz is 1 cm at 20 m/s).
+inline constexpr double highest_line_hz = 2000.0;
+
 inline constexpr double false_alarm = 1e-6;  ///< of a test that stands for itself, in a sound record
 
 /// What the checks look at, computed once.
@@ -26,8 +30,17 @@ struct Evidence {
     std::vector<std::vector<SpectralLine>> lines;  ///< per channel
     std::vector<PairDelay> delays;                 ///< between axle boxes and between bogies; empty without a geometry
     std::optional<WheelbaseSpeed> speed;           ///< from the delays
+    /// What lines and delays are looked for in: `detrended`, thinned where it is sampled much faster than they need.
+    /// Empty: not thinned.
+    std::vector<std::vector<double>> thinned;
+    double thinned_rate_hz = 0.0;
 
     const TimeSeries& series() const { return recording.series; }
+    /// Samples for lines and delays, and their rate.
+    const std::vector<double>& slow(std::size_t channel) const {
+        return thinned.empty() ? detrended[channel] : thinned[channel];
+    }
+    double slow_rate_hz() const { return thinned.empty() ? series().sampling_rate_hz : thinned_rate_hz; }
     const std::string& name(std::size_t channel) const { return series().channels[channel].description.name; }
 };
 

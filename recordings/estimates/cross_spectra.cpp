@@ -151,10 +151,12 @@ CrossSpectra estimate_cross_spectra(const TimeSeries& series, const SegmentOptio
     const std::vector<double> window = window_samples(options.window, length);
     const std::vector<std::uint32_t> missing = missing_before(series);
 
-    std::vector<std::vector<double>> samples_of;
+    std::vector<std::vector<double>> own;
+    std::vector<const double*> samples_of;
     for (const Channel& channel : series.channels) {
         spectra.channels.push_back(channel.description);
-        samples_of.push_back(options.remove_trend ? without_trend(channel.samples) : channel.samples);
+        if (options.remove_trend) own.push_back(without_trend(channel.samples));
+        samples_of.push_back(options.remove_trend ? own.back().data() : channel.samples.data());
     }
     const std::size_t bins = transform.bins();
     PairSums sums(spectra.size(), bins);

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "recordings/files/read_error.hpp"
+#include "recordings/files/visible_text.hpp"
 
 namespace railpem::recordings {
 namespace {
@@ -49,8 +50,8 @@ std::string listed(const std::vector<std::string>& names) {
     for (std::string& name : first)
         if (name.empty())
             name = "(a column without a name)";
-        else if (name.size() > 60)
-            name = name.substr(0, 57) + "...";
+        else
+            name = visible(name.size() > 60 ? name.substr(0, 57) + "..." : name);
     const std::string words = fmt::format("{}", fmt::join(first, ", "));
     return names.size() > shown ? fmt::format("{} … ({} in all)", words, names.size()) : words;
 }
@@ -62,7 +63,7 @@ std::size_t require_name(const std::string& wanted, const std::vector<std::strin
         const std::string nearest = nearest_name(wanted, names);
         throw ReadError(file, line,
                         fmt::format("there is no {} '{}'{}", what, wanted,
-                                    nearest.empty() ? "" : fmt::format(" (did you mean '{}'?)", nearest)),
+                                    nearest.empty() ? "" : fmt::format(" (did you mean '{}'?)", visible(nearest))),
                         listed(names));
     }
     if (std::find(found + 1, names.end(), wanted) != names.end())

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "recordings/files/file_statements.hpp"
+
 namespace railpem::recordings {
 
 /// Named columns of numbers as they stand in a file, before units. Missing values are NaN.
@@ -12,6 +14,7 @@ struct DataTable {
     std::vector<std::vector<double>> columns;  ///< one per name, all of one length
     double sampling_rate_hz = 0.0;             ///< 0: the file does not say
     std::vector<std::string> notes;            ///< what the reader saw and did not change
+    FileStatements says;                       ///< units, scales, … where the file states them
 
     std::size_t rows() const { return columns.empty() ? 0 : columns.front().size(); }
 };

@@ -16,7 +16,6 @@
 #include <exception>
 #include <filesystem>
 #include <fstream>
-#include <optional>
 
 #include "recordings/files/read_error.hpp"
 
@@ -32,7 +31,7 @@
 namespace railpem::recordings {
 namespace {
 
-enum class Answer : char { table = 't', refused = 'r' };
+enum class Answer : char { table = 't', refused = 'r', end = 'e' };
 
 void write_all(int pipe, const void* data, std::size_t bytes) {
     const char* at = static_cast<const char*>(data);
@@ -51,12 +50,36 @@ void write_text(int pipe, const std::string& text) {
     write_all(pipe, text.data(), size);
 }
 
+template <class Plain>
+void write_plain(int pipe, const Plain& value) {
+    write_all(pipe, &value, sizeof value);
+}
+
+void write_statements(int pipe, const FileStatements& says) {
+    write_text(pipe, says.sampling_rate_where);
+    write_text(pipe, says.start);
+    write_plain(pipe, says.promised_rows);
+    write_plain(pipe, says.held_rows);
+    write_plain(pipe, says.columns.size());
+    for (const ColumnStatement& column : says.columns) {
+        write_text(pipe, column.unit);
+        write_text(pipe, column.unit_where);
+        write_text(pipe, column.scale_where);
+        write_plain(pipe, column.share_of_full_scale ? '1' : '0');
+        for (const auto& number : {column.scale, column.offset, column.sampling_rate_hz, column.start_s}) {
+            write_plain(pipe, number.has_value() ? '1' : '0');
+            write_plain(pipe, number.value_or(0.0));
+        }
+    }
+}
+
 void write_table(int pipe, const DataTable& table) {
     const std::array<std::size_t, 3> sizes = {table.names.size(), table.rows(), table.notes.size()};
     write_all(pipe, sizes.data(), sizeof sizes);
     write_all(pipe, &table.sampling_rate_hz, sizeof table.sampling_rate_hz);
     for (const std::string& name : table.names) write_text(pipe, name);
     for (const std::string& note : table.notes) write_text(pipe, note);
+    write_statements(pipe, table.says);
     for (const auto& column : table.columns) write_all(pipe, column.data(), column.size() * sizeof(double));
 }
 
@@ -76,8 +99,29 @@ std::size_t address_space(const std::string& file, const ReadLimits& limits) {
 }
 #endif
 
+void send_answer(int pipe, Answer answer) {
+    write_all(pipe, &answer, 1);
+}
+
+void send_table(int pipe, const DataTable& table) {
+    for (std::size_t i = 1; i < table.columns.size(); ++i)
+        if (table.columns[i].size() != table.rows())
+            throw ReadError("", 0,
+                            fmt::format("'{}' has {} samples and '{}' has {}", table.names[0], table.rows(),
+                                        table.names[i], table.columns[i].size()),
+                            "channels of one length");
+    send_answer(pipe, Answer::table);
+    write_table(pipe, table);
+}
+
+void send_refusal(int pipe, const std::string& problem, const std::string& allowed) {
+    send_answer(pipe, Answer::refused);
+    write_text(pipe, problem);
+    write_text(pipe, allowed);
+}
+
 [[noreturn]] void be_the_child(int pipe, [[maybe_unused]] const std::string& file, const ReadLimits& limits,
-                               const std::function<DataTable()>& work) {
+                               const std::function<void(const SendTable&)>& work) {
     const rlimit no_core{0, 0};
     setrlimit(RLIMIT_CORE, &no_core);
     const rlimit processor{static_cast<rlim_t>(limits.seconds) + 1, static_cast<rlim_t>(limits.seconds) + 2};
@@ -95,26 +139,13 @@ std::size_t address_space(const std::string& file, const ReadLimits& limits) {
         dup2(silent, STDERR_FILENO);
     }
     try {
-        const DataTable table = work();
-        for (std::size_t i = 1; i < table.columns.size(); ++i)
-            if (table.columns[i].size() != table.rows())
-                throw ReadError("", 0,
-                                fmt::format("'{}' has {} samples and '{}' has {}", table.names[0], table.rows(),
-                                            table.names[i], table.columns[i].size()),
-                                "channels of one length");
-        const Answer answer = Answer::table;
-        write_all(pipe, &answer, 1);
-        write_table(pipe, table);
+        work([pipe](const DataTable& table) { send_table(pipe, table); });
+        send_answer(pipe, Answer::end);
     } catch (const ReadError& error) {
-        const Answer answer = Answer::refused;
-        write_all(pipe, &answer, 1);
-        write_text(pipe, error.problem());
-        write_text(pipe, error.allowed());
+        send_refusal(pipe, error.problem(), error.allowed());
     } catch (const std::bad_alloc&) {
-        const Answer answer = Answer::refused;
-        write_all(pipe, &answer, 1);
-        write_text(pipe, "reading it would take too much memory");
-        write_text(pipe, fmt::format("at most {} MB of numbers", limits.memory_bytes >> 20));
+        send_refusal(pipe, "reading it would take too much memory",
+                     fmt::format("at most {} MB of numbers", limits.memory_bytes >> 20));
     } catch (...) {
         _exit(2);
     }
@@ -124,12 +155,15 @@ std::size_t address_space(const std::string& file, const ReadLimits& limits) {
 /// The parent's end of the pipe: reads what was promised, or says that it did not come.
 class Answers {
   public:
-    Answers(int pipe, double seconds)
-        : pipe_(pipe),
-          until_(std::chrono::steady_clock::now() + std::chrono::milliseconds(static_cast<long>(1000.0 * seconds))) {}
+    Answers(int pipe, double seconds) : pipe_(pipe), seconds_(seconds) { wait_anew(); }
     ~Answers() { close(pipe_); }
     Answers(const Answers&) = delete;
     Answers& operator=(const Answers&) = delete;
+
+    /// What was spent on the last table is not the child's.
+    void wait_anew() {
+        until_ = std::chrono::steady_clock::now() + std::chrono::milliseconds(static_cast<long>(1000.0 * seconds_));
+    }
 
     bool read_all(void* data, std::size_t bytes) {
         char* at = static_cast<char*>(data);
@@ -171,6 +205,7 @@ class Answers {
             if (!read_text(name)) return false;
         for (std::string& note : table.notes)
             if (!read_text(note)) return false;
+        if (!read_statements(table.says, columns)) return false;
         for (std::size_t i = 0; i < columns; ++i) {
             table.columns.emplace_back(rows);
             if (!read_all(table.columns.back().data(), rows * sizeof(double))) return false;
@@ -179,48 +214,119 @@ class Answers {
     }
 
   private:
+    template <class Plain>
+    bool read_plain(Plain& value) {
+        return read_all(&value, sizeof value);
+    }
+
+    bool read_number(std::optional<double>& number) {
+        char has = '0';
+        double value = 0.0;
+        if (!read_plain(has) || !read_plain(value)) return false;
+        if (has == '1') number = value;
+        return true;
+    }
+
+    bool read_statements(FileStatements& says, std::size_t columns) {
+        std::size_t count = 0;
+        if (!read_text(says.sampling_rate_where) || !read_text(says.start) || !read_plain(says.promised_rows) ||
+            !read_plain(says.held_rows) || !read_plain(count) || count > columns)
+            return false;
+        says.columns.resize(count);
+        for (ColumnStatement& column : says.columns) {
+            char share = '0';
+            if (!read_text(column.unit) || !read_text(column.unit_where) || !read_text(column.scale_where) ||
+                !read_plain(share) || !read_number(column.scale) || !read_number(column.offset) ||
+                !read_number(column.sampling_rate_hz) || !read_number(column.start_s))
+                return false;
+            column.share_of_full_scale = share == '1';
+        }
+        return true;
+    }
+
     int pipe_;
+    double seconds_;
     std::chrono::steady_clock::time_point until_;
 };
 
+/// The child, until it is known to have ended by itself.
+class Child {
+  public:
+    explicit Child(pid_t id) : id_(id) {}
+    ~Child() {
+        if (id_ <= 0) return;
+        kill(id_, SIGKILL);
+        wait();
+    }
+    Child(const Child&) = delete;
+    Child& operator=(const Child&) = delete;
+    void ended() {
+        wait();
+        id_ = 0;
+    }
+
+  private:
+    void wait() const {
+        int status = 0;
+        while (waitpid(id_, &status, 0) < 0 && errno == EINTR) {
+        }
+    }
+    pid_t id_;
+};
+
+/// Takes tables until the child says that there is no other. False when it stopped before.
+bool take_tables(Answers& answers, const std::string& file, const ReadLimits& limits, Child& child,
+                 const std::function<void(DataTable&)>& take) {
+    for (;;) {
+        answers.wait_anew();
+        Answer answer = Answer::refused;
+        if (!answers.read_all(&answer, 1)) return false;
+        if (answer == Answer::end) return true;
+        if (answer == Answer::table) {
+            DataTable table;
+            if (!answers.read_table(table, limits)) return false;
+            take(table);
+            continue;
+        }
+        std::string problem, allowed;
+        if (!answers.read_text(problem) || !answers.read_text(allowed)) return false;
+        child.ended();
+        throw ReadError(file, 0, problem, allowed);
+    }
+}
+
 }  // namespace
 
-DataTable read_isolated(const std::string& file, const ReadLimits& limits, const std::function<DataTable()>& work) {
+void read_isolated_blocks(const std::string& file, const ReadLimits& limits,
+                          const std::function<void(const SendTable&)>& work,
+                          const std::function<void(DataTable&)>& take) {
     std::array<int, 2> ends{};
     if (pipe2(ends.data(), O_CLOEXEC) != 0)
         throw ReadError(file, 0, fmt::format("no pipe to its reader ({})", std::strerror(errno)),
                         "a system with a free file descriptor");
-    const pid_t child = fork();
-    if (child == 0) {
+    const pid_t id = fork();
+    if (id == 0) {
         close(ends[0]);
         be_the_child(ends[1], file, limits, work);
     }
     close(ends[1]);
     Answers answers(ends[0], limits.seconds);
-    if (child < 0)
+    if (id < 0)
         throw ReadError(file, 0, fmt::format("no process for its reader ({})", std::strerror(errno)),
                         "a system that lets a process start");
-
-    Answer answer = Answer::refused;
-    DataTable table;
-    std::optional<ReadError> refused;
-    bool complete = answers.read_all(&answer, 1);
-    if (complete && answer == Answer::refused) {
-        std::string problem, allowed;
-        complete = answers.read_text(problem) && answers.read_text(allowed);
-        if (complete) refused.emplace(file, 0, problem, allowed);
-    } else if (complete) {
-        complete = answers.read_table(table, limits);
-    }
-    if (!complete) kill(child, SIGKILL);
-    int status = 0;
-    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-    }
-    if (refused) throw *refused;
-    if (!complete)
+    Child child(id);
+    if (!take_tables(answers, file, limits, child, take))
         throw ReadError(file, 0, "the file is damaged: its reader stopped in the middle",
                         "a complete file of its kind");
-    return table;
+    child.ended();
+}
+
+DataTable read_isolated(const std::string& file, const ReadLimits& limits, const std::function<DataTable()>& work) {
+    DataTable whole;
+    read_isolated_blocks(
+        file, limits, [&](const SendTable& send) { send(work()); },
+        [&](DataTable& table) { whole = std::move(table); });
+    return whole;
 }
 
 }  // namespace railpem::recordings

@@ -82,6 +82,21 @@ int small_integer_in(const Walker& walker, std::string_view line, std::size_t be
     return static_cast<int>(value);
 }
 
+bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
+
+/// Fortran leaves the E out where the exponent has three digits: 1.234-101. False when such a number is out of range.
+bool take_bare_exponent(std::string_view& text, double& value) {
+    if (text.size() < 4 || (text[0] != '+' && text[0] != '-') || !is_digit(text[1]) || !is_digit(text[2]) ||
+        !is_digit(text[3]) || (text.size() > 4 && (is_digit(text[4]) || text[4] == '.')))
+        return true;
+    const int exponent = 100 * (text[1] - '0') + 10 * (text[2] - '0') + (text[3] - '0');
+    value *= std::pow(10.0, text[0] == '-' ? -exponent : exponent);
+    text.remove_prefix(4);
+    return std::isfinite(value);
+}
+
 /// Takes the next number off the text; Fortran's D exponents are read like E. False when there is none.
 bool take_number(std::string_view& text, double& value) {
     while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
@@ -94,6 +109,8 @@ bool take_number(std::string_view& text, double& value) {
     if (error == std::errc::result_out_of_range) value = 0.0;
     if (stop == copy || (error != std::errc() && error != std::errc::result_out_of_range)) return false;
     text.remove_prefix(static_cast<std::size_t>(stop - copy));
+    if (!std::memchr(copy, 'E', static_cast<std::size_t>(stop - copy)) && !take_bare_exponent(text, value))
+        return false;
     return true;
 }
 
@@ -121,6 +138,12 @@ std::string field_text(std::string_view line, std::size_t begin, std::size_t wid
     return begin < line.size() ? text_of(line.substr(begin, width)) : std::string();
 }
 
+/// A unit; "NONE" and blanks are none.
+std::string unit_text(std::string_view line, std::size_t begin, std::size_t width) {
+    const std::string unit = field_text(line, begin, width);
+    return unit == "NONE" || unit == "None" || unit == "none" || unit == "-" ? "" : unit;
+}
+
 Binary binary_header(const Walker& walker, std::string_view line) {
     Binary binary;
     binary.is = line.size() > 6 && (line[6] == 'b' || line[6] == 'B');
@@ -142,6 +165,48 @@ struct Layout {
     bool even = true;
 };
 
+/// Record 7 of programs that do not keep to its columns: numbers with blanks between.
+bool read_loose_record_7(std::string_view line, Layout& layout, UffDataset& dataset) {
+    double numbers[5] = {};
+    for (double& number : numbers)
+        if (!take_number(line, number)) return false;
+    for (int i = 0; i < 3; ++i)
+        if (numbers[i] != std::floor(numbers[i]) || numbers[i] < 0.0 || numbers[i] > 1e9) return false;
+    layout.ordinate_type = static_cast<int>(numbers[0]);
+    layout.points = static_cast<std::size_t>(numbers[1]);
+    layout.even = numbers[2] == 1.0;
+    dataset.abscissa_start = numbers[3];
+    dataset.abscissa_step = numbers[4];
+    return std::isfinite(numbers[3]) && std::isfinite(numbers[4]);
+}
+
+void read_fixed_record_7(const Walker& walker, std::string_view line, Layout& layout, UffDataset& dataset) {
+    layout.ordinate_type = small_integer_in(walker, line, 0, 10);
+    const long points = integer_in(walker, line, 10, 10);
+    if (points < 0) walker.fail(fmt::format("{} values", points));
+    layout.points = static_cast<std::size_t>(points);
+    layout.even = integer_in(walker, line, 20, 10) == 1;
+    dataset.abscissa_start = number_in(walker, line, 30, 13);
+    dataset.abscissa_step = number_in(walker, line, 43, 13);
+}
+
+Layout read_record_7(Walker& walker, UffDataset& dataset) {
+    const std::string_view line = walker.require("record 7 of a dataset 58");
+    Layout layout;
+    try {
+        read_fixed_record_7(walker, line, layout, dataset);
+    } catch (const ReadError&) {
+        if (!read_loose_record_7(line, layout, dataset)) throw;
+    }
+    if (layout.ordinate_type != 2 && layout.ordinate_type != 4 && layout.ordinate_type != 5 &&
+        layout.ordinate_type != 6)
+        walker.fail(fmt::format("ordinates of type {}", layout.ordinate_type));
+    dataset.complex = layout.ordinate_type >= 5;
+    if (layout.even && layout.points > 1 && !(dataset.abscissa_step > 0.0))
+        walker.fail("an even abscissa whose step is not positive");
+    return layout;
+}
+
 Layout read_records(Walker& walker, UffDataset& dataset) {
     for (std::string& id : dataset.id) id = text_of(walker.require("the five text lines of a dataset 58"));
     std::string_view line = walker.require("record 6 of a dataset 58");
@@ -153,26 +218,11 @@ Layout read_records(Walker& walker, UffDataset& dataset) {
     dataset.reference_node = small_integer_in(walker, line, 66, 10);
     dataset.reference_direction = small_integer_in(walker, line, 76, 4);
 
-    line = walker.require("record 7 of a dataset 58");
-    Layout layout;
-    layout.ordinate_type = small_integer_in(walker, line, 0, 10);
-    if (layout.ordinate_type != 2 && layout.ordinate_type != 4 && layout.ordinate_type != 5 &&
-        layout.ordinate_type != 6)
-        walker.fail(fmt::format("ordinates of type {}", layout.ordinate_type));
-    const long points = integer_in(walker, line, 10, 10);
-    if (points < 0) walker.fail(fmt::format("{} values", points));
-    layout.points = static_cast<std::size_t>(points);
-    layout.even = integer_in(walker, line, 20, 10) == 1;
-    dataset.complex = layout.ordinate_type >= 5;
-    dataset.abscissa_start = number_in(walker, line, 30, 13);
-    dataset.abscissa_step = number_in(walker, line, 43, 13);
-    if (layout.even && layout.points > 1 && !(dataset.abscissa_step > 0.0))
-        walker.fail("an even abscissa whose step is not positive");
-
+    Layout layout = read_record_7(walker, dataset);
     const auto axis = [&](int& kind, std::string& unit, const char* what) {
         const std::string_view record = walker.require(what);
         kind = small_integer_in(walker, record, 0, 10);
-        unit = field_text(record, 47, 20);
+        unit = unit_text(record, 47, 20);
     };
     axis(dataset.abscissa_kind, dataset.abscissa_unit, "record 8 of a dataset 58");
     axis(dataset.ordinate_kind, dataset.ordinate_unit, "record 9 of a dataset 58");
@@ -198,6 +248,8 @@ void read_text_data(Walker& walker, const Layout& layout, UffDataset& dataset) {
         walker.fail(fmt::format("{} values are promised, more than the file can hold", layout.points));
     for (std::size_t done = 0; done < count;) {
         std::string_view line = walker.require("the last value of a dataset 58");
+        if (without_blanks(line) == "-1")
+            walker.fail(fmt::format("the dataset ends here: {} of its {} numbers are there", done, count));
         double value = 0.0;
         std::size_t in_line = 0;
         for (; done < count && take_number(line, value); ++done, ++in_line) store(dataset, layout, done, value);
@@ -277,6 +329,7 @@ std::vector<UffDataset> read_uff(const std::string& file, const ReadLimits& limi
         }
         const Binary binary = binary_header(walker, line);
         UffDataset dataset;
+        dataset.line = walker.line_number();
         const Layout layout = read_records(walker, dataset);
         if (binary.is)
             read_binary_data(walker, binary, layout, dataset);

@@ -5,15 +5,15 @@
 #include <string>
 #include <vector>
 
-#include "recordings/files/data_table.hpp"
+#include "recordings/files/isolated_read.hpp"
 
 namespace railpem::recordings {
 
-DataTable read_mat_unprotected(const std::string& file, const std::vector<std::string>& wanted,
-                               const ReadLimits& limits);
-DataTable read_hdf5_unprotected(const std::string& file, const std::vector<std::string>& wanted,
-                                const ReadLimits& limits);
-DataTable read_wav_unprotected(const std::string& file, const std::vector<std::string>& wanted,
-                               const ReadLimits& limits);
+void read_mat_unprotected(const std::string& file, const std::vector<std::string>& wanted, std::size_t rows,
+                          const ReadLimits& limits, const SendTable& send);
+void read_hdf5_unprotected(const std::string& file, const std::vector<std::string>& wanted, std::size_t rows,
+                           const ReadLimits& limits, const SendTable& send);
+void read_wav_unprotected(const std::string& file, const std::vector<std::string>& wanted, std::size_t rows,
+                          const ReadLimits& limits, const SendTable& send);
 
 }  // namespace railpem::recordings

@@ -55,6 +55,10 @@ TextLines::TextLines(TextLines&&) noexcept = default;
 bool TextLines::refill() {
     if (at_end_) return false;
     std::memmove(buffer_.data(), buffer_.data() + begin_, end_ - begin_);
+    for (Found* found : {&feed_, &return_}) {
+        const std::size_t looked_at = found->known ? found->at : found->searched_to;
+        *found = {false, 0, std::max(looked_at, begin_) - begin_};
+    }
     end_ -= begin_;
     begin_ = 0;
     if (end_ == buffer_.size()) buffer_.resize(2 * buffer_.size());
@@ -74,30 +78,47 @@ bool TextLines::refill() {
     return true;
 }
 
+/// Where the first `sign` at or after begin_ stands, or end_: looked for once, not again for every line before it.
+std::size_t TextLines::next_sign(char sign, Found& found) {
+    if (found.known && found.at >= begin_) return found.at;
+    const std::size_t from = std::max(begin_, found.known ? begin_ : found.searched_to);
+    const void* at = from < end_ ? std::memchr(buffer_.data() + from, sign, end_ - from) : nullptr;
+    found.known = at != nullptr;
+    found.at = at ? static_cast<std::size_t>(static_cast<const char*>(at) - buffer_.data()) : end_;
+    found.searched_to = end_;
+    return found.at;
+}
+
+void TextLines::take_line(std::size_t stop, std::size_t sign_bytes, std::string_view& line) {
+    line = std::string_view(buffer_.data() + begin_, stop - begin_);
+    begin_ = stop + sign_bytes;
+    cut_ = sign_bytes == 0;
+    ++line_number_;
+    if (std::memchr(line.data(), '\0', line.size()))
+        throw ReadError(file_, line_number_, "a zero byte: this is not text", text_wanted);
+}
+
 bool TextLines::next(std::string_view& line) {
-    std::size_t searched = begin_;
     for (;;) {
-        const char* from = buffer_.data() + searched;
-        const void* found = searched < end_ ? std::memchr(from, '\n', end_ - searched) : nullptr;
-        if (found || (at_end_ && begin_ < end_)) {
-            const std::size_t stop =
-                found ? static_cast<std::size_t>(static_cast<const char*>(found) - buffer_.data()) : end_;
-            line = std::string_view(buffer_.data() + begin_, stop - begin_);
-            cut_ = !found;
-            begin_ = found ? stop + 1 : stop;
-            ++line_number_;
-            if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
-            if (std::memchr(line.data(), '\0', line.size()))
-                throw ReadError(file_, line_number_, "a zero byte: this is not text", text_wanted);
+        const std::size_t feed = next_sign('\n', feed_), carriage = next_sign('\r', return_);
+        const bool return_is_last = carriage + 1 == end_ && !at_end_;  // a line feed may follow, still unread
+        if (feed < carriage) {
+            take_line(feed, 1, line);
+            return true;
+        }
+        if (carriage < end_ && !return_is_last) {
+            take_line(carriage, feed == carriage + 1 ? 2 : 1, line);
+            return true;
+        }
+        if (at_end_ && begin_ < end_) {
+            take_line(end_, 0, line);
             return true;
         }
         if (at_end_) return false;
         if (end_ - begin_ > limit_)
             throw ReadError(file_, line_number_ + 1, fmt::format("a line of more than {} bytes", limit_),
-                            "a table with line ends LF or CR LF");
-        const std::size_t kept = end_ - begin_;
+                            "a table with line ends LF, CR LF or CR");
         refill();
-        searched = kept;
     }
 }
 

@@ -128,6 +128,8 @@ void join(const InspectionReport& one, bool judged, InspectionReport& all) {
     for (const std::string& words : one.not_checked)
         if (judged && std::find(all.not_checked.begin(), all.not_checked.end(), words) == all.not_checked.end())
             all.not_checked.push_back(words);
+    for (const std::string& note : one.notes)
+        if (std::find(all.notes.begin(), all.notes.end(), note) == all.notes.end()) all.notes.push_back(note);
 }
 
 }  // namespace

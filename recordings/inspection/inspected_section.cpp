@@ -9,6 +9,8 @@
 
 #include "parameters/parameter_error.hpp"
 #include "recordings/checks/checks.hpp"
+#include "recordings/estimates/decimate.hpp"
+#include "recordings/files/visible_text.hpp"
 #include "recordings/inspection/inspection_steps.hpp"
 #include "recordings/inspection/spectrogram.hpp"
 #include "recordings/stated_speed.hpp"
@@ -34,15 +36,37 @@ std::optional<CrossSpectra> spectra_of(const TimeSeries& series) {
     }
 }
 
+/// A record that is sampled much faster than lines and delays need is thinned for them.
+void thin(checks::Evidence& evidence) {
+    const double rate = evidence.series().sampling_rate_hz;
+    const std::size_t factor = decimation_factor(rate, checks::highest_line_hz);
+    if (factor < 2) return;
+    evidence.thinned_rate_hz = rate / static_cast<double>(factor);
+    for (const std::vector<double>& samples : evidence.detrended)
+        evidence.thinned.push_back(decimated(samples, rate, factor, checks::highest_line_hz));
+}
+
+TimeSeries thinned_series(const checks::Evidence& evidence) {
+    TimeSeries series;
+    series.sampling_rate_hz = evidence.thinned_rate_hz;
+    for (std::size_t i = 0; i < evidence.thinned.size(); ++i)
+        series.channels.push_back({evidence.series().channels[i].description, evidence.thinned[i], {}});
+    return series;
+}
+
 checks::Evidence gather(const Recording& recording, const InspectionContext& context,
                         const std::optional<CrossSpectra>& spectra) {
-    checks::Evidence evidence{recording, context, spectra ? &*spectra : nullptr, {}, {}, {}, {}};
-    for (const Channel& channel : recording.series.channels) {
+    checks::Evidence evidence{recording, context, spectra ? &*spectra : nullptr, {}, {}, {}, {}, {}, 0.0};
+    for (const Channel& channel : recording.series.channels)
         evidence.detrended.push_back(detrended_without_gaps(channel.samples));
-        evidence.lines.push_back(find_lines(evidence.detrended.back(), recording.series.sampling_rate_hz));
-    }
+    thin(evidence);
+    const bool thinned = !evidence.thinned.empty();
+    for (std::size_t i = 0; i < evidence.detrended.size(); ++i)
+        evidence.lines.push_back(find_lines(evidence.slow(i), evidence.slow_rate_hz(),
+                                            thinned ? LineOptions{.to_hz = checks::highest_line_hz} : LineOptions{}));
     if (context.geometry) {
-        evidence.delays = wheelbase_delays(recording.series, *context.geometry, {});
+        evidence.delays = thinned ? wheelbase_delays(thinned_series(evidence), *context.geometry, {})
+                                  : wheelbase_delays(recording.series, *context.geometry, {});
         evidence.speed = wheelbase_speed(evidence.delays);
     }
     return evidence;
@@ -52,6 +76,7 @@ void add_channel(const checks::Evidence& evidence, std::size_t i, InspectionRepo
     const Channel& channel = evidence.series().channels[i];
     ChannelInspection inspection;
     inspection.description = channel.description;
+    inspection.unit_says = channel.unit_says;
     double count = 0.0, second = 0.0, fourth = 0.0;
     for (const double x : channel.samples)
         if (std::isfinite(x)) {
@@ -89,6 +114,8 @@ std::vector<std::string> without_delay(const checks::Evidence& evidence, Locatio
 /// What was not looked at, so that silence is not taken for soundness.
 void add_not_checked(const checks::Evidence& evidence, InspectionReport& report) {
     const TimeSeries& series = evidence.series();
+    if (!evidence.thinned.empty())
+        report.not_checked.push_back(fmt::format("lines above {:g} Hz", checks::highest_line_hz));
     if (series.time_s.empty())
         report.not_checked.emplace_back("sampling jitter and gaps in time: the file has no time column");
     if (evidence.context.predicted.empty())
@@ -144,9 +171,11 @@ void take_irregularity(const MeasuredIrregularity& brought, InspectionReport& re
 
 InspectionReport header(const Recording& recording) {
     InspectionReport report;
-    report.title = recording.description.title;
-    report.file = recording.file;
+    report.title = visible(recording.description.title);
+    report.file = visible(recording.file);
+    report.start = recording.start;
     report.kind = recording.description.kind;
+    report.faults = recording.contradictions;
     const StatedSpeed speed = stated_speed(recording);
     report.stated_speed_m_per_s = speed.m_per_s;
     report.stated_speed_error_m_per_s = speed.standard_error;

@@ -32,6 +32,7 @@ std::string facts(const InspectionReport& report) {
     std::string out = "<ul class=\"facts\">" +
                       fact("Channels", fmt::format("{} at {:g} Hz", report.channels.size(), report.sampling_rate_hz)) +
                       fact("Length", fmt::format("{:.4g} s, {} samples", report.duration_s, report.samples));
+    if (!report.start.empty()) out += fact("From", report.start);
     if (report.stated_speed_m_per_s > 0.0)
         out += fact("Speed as stated", fmt::format("{:.4g} m/s = {:.4g} km/h", report.stated_speed_m_per_s,
                                                    3.6 * report.stated_speed_m_per_s));
@@ -120,6 +121,7 @@ std::string to_html(const InspectionReport& report) {
     out += "<h1>" + escaped(title) + "</h1><p class=\"soft\">" + escaped(report.file) + "</p>\n";
     out += "<p class=\"verdict " + severity + "\">" + verdict_of(report) + "</p>\n" + facts(report) +
            fault_table(report) + channel_table(report);
+    if (const std::string words = unit_words(report); !words.empty()) out += "<p>" + escaped(words) + "</p>\n";
     if (const std::string words = irregularity_words(report); !words.empty()) out += "<p>" + escaped(words) + "</p>\n";
     out += chart_places(data);
     if (!report.spectrograms.empty()) out += "<h2>Spectrograms</h2>\n";

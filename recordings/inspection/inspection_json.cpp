@@ -44,6 +44,7 @@ Json channel_json(const ChannelInspection& channel) {
               {"place", place_words(channel.description)},
               {"quantity", quantity_name(channel.description.quantity)},
               {"unit", si_unit(channel.description.quantity)},
+              {"unit_in_file", channel.unit_says},
               {"scale", channel.description.scale == Scale::known ? "known" : "unknown"},
               {"mean", or_null(channel.mean)},
               {"rms", or_null(channel.rms)},
@@ -75,6 +76,7 @@ Json channel_json(const ChannelInspection& channel) {
 void add_tables(const InspectionReport& report, Json& j) {
     for (const ChannelSpectrum& s : report.spectra)
         j["spectra"].push_back({{"name", s.description.name},
+                                {"unit_in_file", s.unit_says},
                                 {"frequency_hz", numbers_json(s.frequency_hz)},
                                 {"psd", numbers_json(s.psd)},
                                 {"standard_error", numbers_json(s.standard_error)}});
@@ -129,6 +131,7 @@ nlohmann::ordered_json to_json(const InspectionReport& report) {
         j["duration_s"] = report.duration_s;
         j["sampling_rate_hz"] = report.sampling_rate_hz;
         j["samples"] = report.samples;
+        if (!report.start.empty()) j["start"] = report.start;
         j["independent_averages"] = or_null(report.averages);
         j["coherence_limit"] = or_null(report.coherence_limit);
         j["bin_interval_db"] = {or_null(report.interval_low_db), or_null(report.interval_high_db)};

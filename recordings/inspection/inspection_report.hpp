@@ -17,6 +17,7 @@ namespace railpem::recordings {
 /// One channel in figures.
 struct ChannelInspection {
     ChannelDescription description;
+    std::string unit_says;                     ///< unit of the numbers in the file, and who says so, in words
     double mean = 0.0, rms = 0.0, peak = 0.0;  ///< SI; rms and peak without mean and drift
     double kurtosis = 0.0;                     ///< 3 for a Gaussian channel
     double noise_rms = 0.0;          ///< incoherent with all other channels, 4 Hz to 0.4 f_s; NaN: cannot be told
@@ -49,6 +50,7 @@ struct NamedFrequency {
 
 struct InspectionReport {
     std::string title, file;
+    std::string start;  ///< date and time of the first sample as the data file says; empty: not said
     RecordingKind kind = RecordingKind::timeseries;
     double duration_s = 0.0, sampling_rate_hz = 0.0;
     std::size_t samples = 0;

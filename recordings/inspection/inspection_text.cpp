@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "recordings/files/visible_text.hpp"
 #include "recordings/inspection/inspection_words.hpp"
 #include "recordings/inspection/inspection_writers.hpp"
 #include "recordings/units.hpp"
@@ -85,8 +86,10 @@ std::string to_text(const InspectionReport& report) {
     if (report.kind == RecordingKind::timeseries)
         out += fmt::format("{} channels at {:g} Hz, {:.4g} s ({} samples each)\n", report.channels.size(),
                            report.sampling_rate_hz, report.duration_s, report.samples);
+    if (!report.start.empty()) out += fmt::format("from {}\n", report.start);
     out += "\n" + verdict_of(report) + "\n\n";
-    for (const std::string& words : {speed_words(report), averages_words(report), irregularity_words(report)})
+    for (const std::string& words :
+         {unit_words(report), speed_words(report), averages_words(report), irregularity_words(report)})
         if (!words.empty()) out += wrapped(words, 2);
     out += band_line(report) + line_words(report);
     out += report.channels.empty() ? table_words(report) : "\n" + channel_lines(report);
@@ -110,7 +113,7 @@ std::string to_text(const InspectionReport& report) {
     list("Not checked", report.not_checked);
     list("What this recording cannot tell", report.lacks);
     list("Notes", report.notes);
-    return out;
+    return visible_lines(out);  // names and words of the data file are among it
 }
 
 }  // namespace railpem::recordings

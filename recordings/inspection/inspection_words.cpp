@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <numbers>
 
 namespace railpem::recordings {
@@ -45,6 +46,23 @@ std::string speed_words(const InspectionReport& report) {
                              speed / (2.0 * std::numbers::pi * w.rotation_hz));
     }
     return words.empty() ? "" : words + ".";
+}
+
+std::string unit_words(const InspectionReport& report) {
+    std::vector<std::pair<std::string, std::vector<std::string>>> groups;  // channels of which the same is said
+    const auto add = [&](const std::string& says, const std::string& name) {
+        if (says.empty()) return;
+        auto group = std::find_if(groups.begin(), groups.end(), [&](const auto& known) { return known.first == says; });
+        if (group == groups.end()) group = groups.insert(groups.end(), {says, {}});
+        group->second.push_back(name);
+    };
+    for (const ChannelInspection& channel : report.channels) add(channel.unit_says, channel.description.name);
+    for (const ChannelSpectrum& spectrum : report.spectra) add(spectrum.unit_says, spectrum.description.name);
+    if (groups.empty()) return "";
+    std::vector<std::string> words;
+    for (const auto& [says, names] : groups)
+        words.push_back(groups.size() == 1 ? says : fmt::format("{} in {}", says, fmt::join(names, ", ")));
+    return fmt::format("Numbers in the file: {}.", fmt::join(words, "; "));
 }
 
 std::string averages_words(const InspectionReport& report) {

@@ -14,6 +14,7 @@ std::string verdict_of(const InspectionReport& report);
 std::string place_words(const ChannelDescription& channel);  ///< "wheel 1", "body +9 m", "wheel 2 left"
 std::string fault_place(const Fault& fault);                 ///< channels and time of a fault: "axlebox_1 at 12.3 s"
 std::string speed_words(const InspectionReport& report);     ///< "" when nothing is known
+std::string unit_words(const InspectionReport& report);  ///< units in the file and who says so; "" when none is known
 std::string averages_words(const InspectionReport& report);  ///< "" when there is no spectrum
 
 /// What irregularity was brought, over which wavelengths and, at the recording's speed, frequencies; "" when none was.

@@ -1,15 +1,20 @@
 #include "recordings/loading/load_recording.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 
 #include "parameters/parameter_error.hpp"
 #include "recordings/files/read_binary.hpp"
-#include "recordings/files/read_csv.hpp"
 #include "recordings/files/read_error.hpp"
 #include "recordings/files/uff.hpp"
+#include "recordings/loading/csv_series.hpp"
+#include "recordings/loading/file_clock.hpp"
+#include "recordings/loading/hold_against_file.hpp"
 #include "recordings/loading/load_tables.hpp"
 #include "recordings/recording_parameters.hpp"
 #include "recordings/units.hpp"
@@ -23,20 +28,38 @@ namespace {
 
 enum class Format { csv, mat, uff, wav, hdf5 };
 
+struct Ending {
+    const char* text;
+    Format format;
+};
+
+constexpr std::array<Ending, 18> endings = {{{".csv", Format::csv},
+                                             {".csv.gz", Format::csv},
+                                             {".txt", Format::csv},
+                                             {".txt.gz", Format::csv},
+                                             {".tsv", Format::csv},
+                                             {".tsv.gz", Format::csv},
+                                             {".dat", Format::csv},
+                                             {".asc", Format::csv},
+                                             {".prn", Format::csv},
+                                             {".tab", Format::csv},
+                                             {".mat", Format::mat},
+                                             {".uff", Format::uff},
+                                             {".unv", Format::uff},
+                                             {".wav", Format::wav},
+                                             {".w64", Format::wav},
+                                             {".rf64", Format::wav},
+                                             {".h5", Format::hdf5},
+                                             {".hdf5", Format::hdf5}}};
+
 Format format_of(const fs::path& file) {
     std::string name = file.filename().string();
     std::transform(name.begin(), name.end(), name.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    const auto ends = [&](std::string_view end) {
-        return name.size() >= end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0;
-    };
-    if (ends(".csv") || ends(".csv.gz") || ends(".txt") || ends(".tsv") || ends(".txt.gz")) return Format::csv;
-    if (ends(".mat")) return Format::mat;
-    if (ends(".uff") || ends(".unv")) return Format::uff;
-    if (ends(".wav") || ends(".w64") || ends(".rf64")) return Format::wav;
-    if (ends(".h5") || ends(".hdf5")) return Format::hdf5;
+    for (const Ending& ending : endings)
+        if (name.ends_with(ending.text)) return ending.format;
     throw ParameterError("data", fmt::format("'{}' has an ending that is not known", file.filename().string()),
-                         ".csv, .csv.gz, .txt, .tsv, .mat, .uff, .unv, .wav, .w64, .h5");
+                         fmt::format("{}", fmt::join(data_file_endings(), ", ")));
 }
 
 fs::path data_path(const RecordingDescription& description, const fs::path& base) {
@@ -49,98 +72,111 @@ fs::path data_path(const RecordingDescription& description, const fs::path& base
     return path;
 }
 
-const std::string& column_of(const ChannelDescription& channel) {
-    return channel.column.empty() ? channel.name : channel.column;
-}
-
 /// Columns to read: every channel once, then the time.
-std::vector<std::string> wanted_columns(const RecordingDescription& description, const std::string& time_column) {
-    std::vector<std::string> wanted;
-    const auto add = [&](const std::string& name) {
-        if (std::find(wanted.begin(), wanted.end(), name) == wanted.end()) wanted.push_back(name);
-    };
-    for (const ChannelDescription& channel : description.channels) add(column_of(channel));
-    if (!time_column.empty()) add(time_column);
+std::vector<std::string> wanted_columns(const RecordingDescription& description) {
+    std::vector<std::string> wanted = channel_columns(description);
+    if (!description.time_column.empty() &&
+        std::find(wanted.begin(), wanted.end(), description.time_column) == wanted.end())
+        wanted.push_back(description.time_column);
     return wanted;
 }
 
-std::string csv_time_column(const RecordingDescription& description, const std::vector<std::string>& names) {
-    if (!description.time_column.empty()) return description.time_column;
-    for (const char* candidate : {"time_s", "time", "t"})
-        if (std::count(names.begin(), names.end(), candidate) == 1) return candidate;
-    return "";
+/// What the file says of a column.
+ColumnStatement statement_of(std::size_t column, const DataTable& table) {
+    return column < table.says.columns.size() ? table.says.columns[column] : ColumnStatement{};
 }
 
-double rate_from_time(const std::vector<double>& time) {
-    // The median step, so that a gap does not spoil it; a millionth of a percent is below what a clock can promise.
-    std::vector<double> steps;
-    for (std::size_t i = 1; i < time.size(); ++i)
-        if (time[i] - time[i - 1] > 0.0) steps.push_back(time[i] - time[i - 1]);
-    if (steps.size() < 2) return 0.0;
-    std::nth_element(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2), steps.end());
-    const double median = steps[steps.size() / 2];
-    // Within steps near the median the mean is finer than the digits of a single time.
-    double sum = 0.0;
-    std::size_t count = 0;
-    for (const double step : steps)
-        if (std::abs(step - median) < 0.5 * median) {
-            sum += step;
-            ++count;
-        }
-    return std::round(1e6 * static_cast<double>(count) / sum) / 1e6;
+/// The clock of a table's times; rates that description and file state help it.
+FileClock clock_of(const RecordingDescription& description, const DataTable& table, const std::string& time_column,
+                   TimeWriting writing, const std::string& file) {
+    if (time_column.empty()) return {{}, writing, 0.0};
+    const double rate = description.sampling_rate_hz > 0.0 ? description.sampling_rate_hz : table.sampling_rate_hz;
+    return {statement_of(require_name(time_column, table.names, "column", file, 0), table), writing, rate};
+}
+
+/// Times in seconds.
+void fill_times(const DataTable& table, const std::string& time_column, FileClock& clock, Recording& recording) {
+    recording.start = table.says.start;
+    if (time_column.empty()) return;
+    const std::size_t column = require_name(time_column, table.names, "column", recording.file, 0);
+    recording.series.time_s = clock.seconds(table.columns[column], recording.notes, recording.contradictions);
+    if (!clock.start().empty()) recording.start = clock.start();
+}
+
+/// The rate that description, file header and times say, in this order.
+void find_sampling_rate(const RecordingDescription& description, const DataTable& table, Recording& recording) {
+    TimeSeries& series = recording.series;
+    series.sampling_rate_hz = held_sampling_rate(description.sampling_rate_hz, table.sampling_rate_hz,
+                                                 table.says.sampling_rate_where, recording.contradictions);
+    bool stand_still = false;
+    if (!(series.sampling_rate_hz > 0.0)) series.sampling_rate_hz = rate_of_times(series.time_s, stand_still);
+    if (stand_still)
+        throw ParameterError(
+            "sampling_rate_hz",
+            fmt::format("neither the description nor the data file says the sampling rate, and the times do not: "
+                        "several rows share each of them ({} rows in {:.4g} s)",
+                        series.time_s.size(), series.time_s.back() - series.time_s.front()),
+            "a value greater than 0");
+    if (!(series.sampling_rate_hz > 0.0) || !std::isfinite(series.sampling_rate_hz))
+        throw ParameterError("sampling_rate_hz", "neither the description nor the data file says the sampling rate",
+                             "a value greater than 0, or a column time_s");
+}
+
+/// Puts one column into its channel, in SI units.
+void fill_channel(std::size_t i, const DataTable& table, Recording& recording) {
+    TimeSeries& series = recording.series;
+    ChannelDescription channel = recording.description.channels[i];
+    const std::size_t column = require_name(column_of(channel), table.names, "column", recording.file, 0);
+    const Conversion conversion =
+        conversion_of(channel, statement_of(column, table), fmt::format("channel[{}]", i + 1));
+    if (conversion.contradiction) add_contradiction(*conversion.contradiction, recording.contradictions);
+    if (!conversion.scale_is_known) channel.scale = Scale::unknown;
+    std::vector<double> samples = table.columns[column];
+    for (double& sample : samples) sample = sample * conversion.factor + conversion.offset;
+    if (channel.quantity == ChannelQuantity::speed)
+        series.speed_m_per_s = std::move(samples);
+    else if (channel.quantity == ChannelQuantity::mileage)
+        series.mileage_m = std::move(samples);
+    else
+        series.channels.push_back({channel, std::move(samples), conversion.says});
 }
 
 /// Puts the columns of the table into channels, in SI units.
 void fill_series(const RecordingDescription& description, const DataTable& table, const std::string& time_column,
-                 const std::string& file, Recording& recording) {
+                 FileClock& clock, Recording& recording) {
     TimeSeries& series = recording.series;
-    const auto column = [&](const std::string& name) -> const std::vector<double>& {
-        return table.columns[require_name(name, table.names, "column", file, 0)];
-    };
-    if (!time_column.empty()) series.time_s = column(time_column);
-    series.sampling_rate_hz = description.sampling_rate_hz > 0.0 ? description.sampling_rate_hz
-                              : table.sampling_rate_hz > 0.0     ? table.sampling_rate_hz
-                                                                 : rate_from_time(series.time_s);
-    if (!(series.sampling_rate_hz > 0.0) || !std::isfinite(series.sampling_rate_hz))
-        throw ParameterError("sampling_rate_hz", "neither the description nor the data file says the sampling rate",
-                             "a value greater than 0, or a column time_s");
-    if (table.sampling_rate_hz > 0.0 && std::abs(table.sampling_rate_hz / series.sampling_rate_hz - 1.0) > 1e-4)
-        recording.notes.push_back(fmt::format(
-            "the data file says a sampling rate of {:g} Hz, the description {:g} Hz: the description was used",
-            table.sampling_rate_hz, series.sampling_rate_hz));
-    for (std::size_t i = 0; i < description.channels.size(); ++i) {
-        const ChannelDescription& channel = description.channels[i];
-        const double factor =
-            channel.scale_factor * to_si_factor(channel.unit, channel.quantity, fmt::format("channel[{}].unit", i + 1));
-        std::vector<double> samples = column(column_of(channel));
-        for (double& sample : samples) sample *= factor;
-        if (channel.quantity == ChannelQuantity::speed)
-            series.speed_m_per_s = std::move(samples);
-        else if (channel.quantity == ChannelQuantity::mileage)
-            series.mileage_m = std::move(samples);
-        else
-            series.channels.push_back({channel, std::move(samples)});
-    }
+    fill_times(table, time_column, clock, recording);
+    find_sampling_rate(description, table, recording);
+    hold_columns_together(table.names, table.says.columns, recording.contradictions);
+    hold_promised_rows(table.says.held_rows > 0 ? table.says.held_rows : table.rows(), table.says.promised_rows,
+                       series.sampling_rate_hz, recording.contradictions);
+    for (std::size_t i = 0; i < description.channels.size(); ++i) fill_channel(i, table, recording);
     if (series.channels.empty())
         throw ParameterError("channel", "no channel measures a vibration",
                              "at least one acceleration, velocity or displacement");
     recording.notes.insert(recording.notes.end(), table.notes.begin(), table.notes.end());
 }
 
-DataTable read_table(const fs::path& path, const std::vector<std::string>& wanted, const ReadLimits& limits) {
+void read_binary_blocks(const fs::path& path, const std::vector<std::string>& wanted, std::size_t rows,
+                        const ReadLimits& limits, const TakeTable& take) {
     switch (format_of(path)) {
         case Format::csv:
-            return read_csv(path.string(), wanted, limits);
+            break;  // read in sections
         case Format::mat:
-            return read_mat(path.string(), wanted, limits);
+            return read_mat_blocks(path.string(), wanted, rows, limits, take);
         case Format::uff:
-            return uff_time_table(path.string(), wanted, limits);
+            return uff_time_blocks(path.string(), wanted, rows, limits, take);
         case Format::wav:
-            return read_wav(path.string(), wanted, limits);
+            return read_wav_blocks(path.string(), wanted, rows, limits, take);
         case Format::hdf5:
-            return read_hdf5(path.string(), wanted, limits);
+            return read_hdf5_blocks(path.string(), wanted, rows, limits, take);
     }
-    return {};
+}
+
+DataTable read_binary(const fs::path& path, const std::vector<std::string>& wanted, const ReadLimits& limits) {
+    DataTable all;
+    read_binary_blocks(path, wanted, all_rows, limits, [&](DataTable& table) { all = std::move(table); });
+    return all;
 }
 
 /// What does not depend on the data file.
@@ -154,7 +190,40 @@ Recording empty_recording(const RecordingDescription& description, const fs::pat
     return recording;
 }
 
+/// A time series in a text file as one section.
+void load_csv(const RecordingDescription& description, const fs::path& path, const ReadLimits& limits,
+              Recording& recording) {
+    CsvSeries source(description, path.string(), limits);
+    DataTable table, section;
+    constexpr std::size_t rows_at_once = 65536;
+    while (source.next(rows_at_once, section)) {
+        if (table.names.empty()) {
+            table = std::move(section);
+            continue;
+        }
+        for (std::size_t i = 0; i < table.columns.size(); ++i)
+            table.columns[i].insert(table.columns[i].end(), section.columns[i].begin(), section.columns[i].end());
+        table.notes.insert(table.notes.end(), section.notes.begin(), section.notes.end());
+        if (table.rows() * table.columns.size() * sizeof(double) > limits.memory_bytes)
+            throw ReadError(path.string(), 0,
+                            fmt::format("more than {} MB of numbers to hold at once", limits.memory_bytes >> 20),
+                            "reading it in sections");
+    }
+    if (table.rows() == 0) source.refuse_empty();
+    FileClock clock = clock_of(description, table, source.time_column(), source.time_writing(), path.string());
+    fill_series(description, table, source.time_column(), clock, recording);
+}
+
 }  // namespace
+
+const std::vector<std::string>& data_file_endings() {
+    static const std::vector<std::string> all = [] {
+        std::vector<std::string> texts;
+        for (const Ending& ending : endings) texts.emplace_back(ending.text);
+        return texts;
+    }();
+    return all;
+}
 
 std::uintmax_t data_file_bytes(const RecordingDescription& description, const fs::path& base) {
     return fs::file_size(data_path(description, base));
@@ -180,48 +249,59 @@ Recording load(const RecordingDescription& description, const fs::path& base, co
             load_decay_rate(recording, limits);
             return recording;
     }
-    std::string time_column = description.time_column;
-    if (format_of(path) == Format::csv)
-        time_column = csv_time_column(description, CsvReader(path.string(), limits).names());
-    fill_series(description, read_table(path, wanted_columns(description, time_column), limits), time_column,
-                path.string(), recording);
+    if (format_of(path) == Format::csv) {
+        load_csv(description, path, limits, recording);
+        return recording;
+    }
+    const DataTable table = read_binary(path, wanted_columns(description), limits);
+    FileClock clock = clock_of(description, table, description.time_column, TimeWriting::numbers, path.string());
+    fill_series(description, table, description.time_column, clock, recording);
     return recording;
 }
+
+namespace {
+
+/// Contradictions of the file as a whole are told once, not again with every section.
+void tell_once(std::vector<std::string>& told, std::vector<Fault>& contradictions) {
+    std::erase_if(contradictions,
+                  [&](const Fault& fault) { return std::find(told.begin(), told.end(), fault.says) != told.end(); });
+    for (const Fault& fault : contradictions) told.push_back(fault.says);
+}
+
+}  // namespace
 
 void load_in_sections(const RecordingDescription& description, const fs::path& base, std::size_t samples,
                       const std::function<void(const Recording&)>& work, const ReadLimits& limits) {
     check(description);
     const fs::path path = data_path(description, base);
-    if (description.kind != RecordingKind::timeseries || format_of(path) != Format::csv) {
+    if (description.kind != RecordingKind::timeseries) {
         work(load(description, base, limits));
         return;
     }
-    CsvReader reader(path.string(), limits);
-    const std::string time_column = csv_time_column(description, reader.names());
-    DataTable table;
-    table.names = wanted_columns(description, time_column);
-    table.notes = reader.notes();
-    std::vector<std::size_t> selected;
-    for (const std::string& name : table.names)
-        selected.push_back(require_name(name, reader.names(), "column", path.string(), reader.header_line()));
-    reader.select(selected);
     std::size_t done = 0;
+    std::optional<FileClock> clock;
+    std::vector<std::string> told;
     Recording bare = empty_recording(description, base, path, limits);
-    for (;;) {
-        table.columns.assign(table.names.size(), {});
-        for (auto& column : table.columns) column.reserve(std::min<std::size_t>(samples, std::size_t{1} << 22));
-        if (reader.read(samples, table.columns) == 0) break;
+    const auto take = [&](DataTable& table, const std::string& time_column, TimeWriting writing) {
+        if (!clock) clock = clock_of(description, table, time_column, writing, path.string());
         Recording recording = bare;
-        fill_series(bare.description, table, time_column, path.string(), recording);
+        fill_series(bare.description, table, time_column, *clock, recording);
+        tell_once(told, recording.contradictions);
         bare.description.sampling_rate_hz = recording.series.sampling_rate_hz;  // one rate for all sections
         recording.series.start_s = static_cast<double>(done) / recording.series.sampling_rate_hz;
         done += recording.series.size();
-        table.notes.clear();
+        table.columns.clear();  // the memory of one section
         work(recording);
+    };
+    if (format_of(path) != Format::csv) {
+        read_binary_blocks(path, wanted_columns(description), samples, limits,
+                           [&](DataTable& table) { take(table, description.time_column, TimeWriting::numbers); });
+        return;
     }
-    if (done == 0)
-        throw ReadError(path.string(), reader.header_line(), "there is no row of numbers under the header",
-                        "rows of numbers");
+    CsvSeries source(description, path.string(), limits);
+    DataTable table;
+    while (source.next(samples, table)) take(table, source.time_column(), source.time_writing());
+    if (done == 0) source.refuse_empty();
 }
 
 }  // namespace railpem::recordings

@@ -4,12 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
-#include "recordings/files/csv_dialect.hpp"
-#include "recordings/files/read_csv.hpp"
 #include "recordings/files/read_error.hpp"
-#include "recordings/files/uff.hpp"
+#include "recordings/loading/hold_against_file.hpp"
+#include "recordings/loading/load_uff_spectra.hpp"
+#include "recordings/text/column_address.hpp"
+#include "recordings/text/csv_dialect.hpp"
+#include "recordings/text/read_csv.hpp"
 #include "recordings/units.hpp"
 
 namespace railpem::recordings {
@@ -43,8 +44,31 @@ void check_values(const std::vector<double>& values, const std::string& name, do
 double squared_factor(const RecordingDescription& description, std::size_t channel) {
     const ChannelDescription& c = description.channels[channel];
     const double factor =
-        c.scale_factor * to_si_factor(c.unit, c.quantity, fmt::format("channel[{}].unit", channel + 1));
+        c.scale_factor.value_or(1.0) * to_si_factor(c.unit, c.quantity, fmt::format("channel[{}].unit", channel + 1));
     return factor * factor;
+}
+
+/// What the file says of a column of densities, as of the amplitude behind it; a unit that is none of a density says
+/// nothing.
+ColumnStatement amplitude_statement(const ColumnStatement& density) {
+    ColumnStatement amplitude = density;
+    amplitude.unit = amplitude_unit(density.unit);
+    return amplitude;
+}
+
+/// One spectrum in SI units; what file and description say of its unit is held together.
+ChannelSpectrum spectrum_of(std::size_t i, const DataTable& table, const std::vector<double>& frequency,
+                            Recording& recording) {
+    ChannelDescription channel = recording.description.channels[i];
+    const std::size_t at = find_column(channel.column.empty() ? channel.name : channel.column,
+                                       {.names = table.names, .line = 1}, recording.file);
+    const Conversion conversion =
+        conversion_of(channel, amplitude_statement(table.says.columns[at]), fmt::format("channel[{}]", i + 1));
+    if (conversion.contradiction) add_contradiction(*conversion.contradiction, recording.contradictions);
+    check_values(table.columns[at], channel.name, 0.0, recording.file);
+    ChannelSpectrum spectrum{channel, frequency, table.columns[at], {}, conversion.says};
+    for (double& value : spectrum.psd) value *= conversion.factor * conversion.factor;
+    return spectrum;
 }
 
 void add_scale_lack(Recording& recording) {
@@ -56,30 +80,34 @@ void add_scale_lack(Recording& recording) {
 
 }  // namespace
 
-void load_psd(Recording& recording, const ReadLimits& limits) {
+namespace {
+
+void load_csv_densities(Recording& recording, const ReadLimits& limits) {
     const DataTable table = read_csv(recording.file, {}, limits);
     const std::vector<double>& frequency = column(table, "frequency_hz", recording.file);
     check_frequencies(frequency, "frequency_hz", recording.file);
     for (std::size_t i = 0; i < recording.description.channels.size(); ++i) {
-        const ChannelDescription& channel = recording.description.channels[i];
-        ChannelSpectrum spectrum{channel,
-                                 frequency,
-                                 column(table, channel.column.empty() ? channel.name : channel.column, recording.file),
-                                 {}};
-        check_values(spectrum.psd, channel.name, 0.0, recording.file);
-        const double factor = squared_factor(recording.description, i);
-        for (double& value : spectrum.psd) value *= factor;
-        if (recording.description.averages > 0)
-            for (const double value : spectrum.psd)
-                spectrum.standard_error.push_back(value /
-                                                  std::sqrt(static_cast<double>(recording.description.averages)));
+        ChannelSpectrum spectrum = spectrum_of(i, table, frequency, recording);
         recording.spectra.push_back(std::move(spectrum));
     }
+    recording.notes.insert(recording.notes.end(), table.notes.begin(), table.notes.end());
+}
+
+}  // namespace
+
+void load_psd(Recording& recording, const ReadLimits& limits) {
+    if (is_universal_file(recording.file))
+        load_uff_densities(recording, limits);
+    else
+        load_csv_densities(recording, limits);
+    const int averages = recording.description.averages;
+    for (ChannelSpectrum& spectrum : recording.spectra)
+        for (std::size_t k = 0; k < spectrum.psd.size() && averages > 0; ++k)
+            spectrum.standard_error.push_back(spectrum.psd[k] / std::sqrt(static_cast<double>(averages)));
     recording.lacks.emplace_back(no_cross_spectra);
-    if (recording.description.averages == 0)
+    if (averages == 0)
         recording.lacks.emplace_back("no number of averages: the significance of a difference is not known");
     recording.lacks.emplace_back("no time series: faults of the sensors cannot be looked for");
-    recording.notes.insert(recording.notes.end(), table.notes.begin(), table.notes.end());
     add_scale_lack(recording);
 }
 
@@ -93,11 +121,11 @@ void load_points(Recording& recording, const ReadLimits& limits) {
     std::vector<std::string> names;
     for (const ChannelDescription& channel : recording.description.channels) {
         names.push_back(channel.column.empty() ? channel.name : channel.column);
-        recording.spectra.push_back({channel, {}, {}, {}});
+        recording.spectra.push_back({channel, {}, {}, {}, {}});
     }
     const auto number = [&](std::size_t row, std::size_t at) {
         double value = 0.0;
-        if (!parse_number(rows[row][at], false, value) || !(value >= 0.0))
+        if (!parse_number(rows[row][at], {}, value) || !(value >= 0.0))
             throw ReadError(file, row + 1,
                             fmt::format("'{}' is not a number, or less than 0", rows[row][at].substr(0, 60)),
                             "a number that is not negative");
@@ -120,46 +148,11 @@ void load_points(Recording& recording, const ReadLimits& limits) {
     add_scale_lack(recording);
 }
 
-namespace {
-
-void receptance_from_uff(Recording& recording, const ReadLimits& limits) {
-    const std::vector<UffDataset> datasets = read_uff(recording.file, limits);
-    const auto found = std::find_if(datasets.begin(), datasets.end(), [](const UffDataset& d) {
-        return d.function_type == static_cast<int>(UffFunction::frequency_response) && d.complex;
-    });
-    if (found == datasets.end())
-        throw ReadError(recording.file, 0, "no complex frequency response is in the file",
-                        "a dataset 58 of function type 4");
-    const int power = found->ordinate_kind == 8    ? 0
-                      : found->ordinate_kind == 11 ? 1
-                      : found->ordinate_kind == 12 ? 2
-                                                   : -1;
-    if (power < 0)
-        throw ReadError(recording.file, 0, fmt::format("the response has data type {}", found->ordinate_kind),
-                        "displacement (8), velocity (11) or acceleration (12) over force");
-    for (std::size_t i = 0; i < found->size(); ++i) {
-        const double frequency = found->abscissa_at(i);
-        if (!(frequency > 0.0)) continue;
-        const std::complex<double> derivative =
-            std::pow(std::complex<double>(0.0, 2.0 * std::numbers::pi * frequency), power);
-        recording.receptance.frequency_hz.push_back(frequency);
-        recording.receptance.value_m_per_n.push_back(std::complex<double>(found->real[i], found->imaginary[i]) /
-                                                     derivative);
-    }
-    if (datasets.size() > 1)
-        recording.notes.push_back(fmt::format("the first frequency response of {} records was used", datasets.size()));
-}
-
-}  // namespace
-
 void load_receptance(Recording& recording, const ReadLimits& limits) {
     recording.lacks.emplace_back("a track without a vehicle: nothing is known of the vehicle or the irregularity");
     recording.lacks.emplace_back("no standard errors: the significance of a difference is not known");
     const std::string& file = recording.file;
-    if (file.ends_with(".uff") || file.ends_with(".unv")) {
-        receptance_from_uff(recording, limits);
-        return;
-    }
+    if (is_universal_file(file)) return load_uff_receptance(recording, limits);
     const DataTable table = read_csv(file, {}, limits);
     MeasuredReceptance& receptance = recording.receptance;
     receptance.frequency_hz = column(table, "frequency_hz", file);

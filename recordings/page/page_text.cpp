@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "recordings/files/visible_text.hpp"
 #include "recordings/page/page_parts.hpp"
 
 namespace railpem::recordings {
@@ -25,7 +26,7 @@ std::string script_json(const nlohmann::json& json) {
 
 std::string escaped(std::string_view text) {
     std::string out;
-    for (const char c : text) {
+    for (const char c : visible_lines(text)) {
         if (c == '&')
             out += "&amp;";
         else if (c == '<')

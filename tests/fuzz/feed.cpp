@@ -15,12 +15,12 @@
 #include "app/schema/sweep_schema.hpp"
 #include "parameters/parameter_error.hpp"
 #include "recordings/files/read_binary.hpp"
-#include "recordings/files/read_csv.hpp"
 #include "recordings/files/read_error.hpp"
 #include "recordings/files/read_unprotected.hpp"
 #include "recordings/files/uff.hpp"
 #include "recordings/loading/load_tables.hpp"
 #include "recordings/measured_irregularity.hpp"
+#include "recordings/text/read_csv.hpp"
 
 namespace railpem::fuzz {
 namespace {
@@ -72,16 +72,22 @@ void read_points(const std::string& file) {
     load_points(recording, limits);
 }
 
-using ReadBinary = DataTable (*)(const std::string&, const std::vector<std::string>&, const ReadLimits&);
+using ReadUnprotected = void (*)(const std::string&, const std::vector<std::string>&, std::size_t, const ReadLimits&,
+                                 const SendTable&);
 
 struct Reader {
     std::string kind;
     std::function<void(const std::string& file, Libraries libraries)> read;
 };
 
-Reader library_reader(const std::string& kind, ReadBinary in_child, ReadBinary unprotected) {
+/// In blocks, as long files are read.
+Reader library_reader(const std::string& kind, ReadBlocks in_child, ReadUnprotected unprotected) {
+    constexpr std::size_t rows = 64;
     return {kind, [=](const std::string& file, Libraries libraries) {
-                (libraries == Libraries::in_child ? in_child : unprotected)(file, {}, limits);
+                if (libraries == Libraries::in_child)
+                    in_child(file, {}, rows, limits, [](DataTable&) {});
+                else
+                    unprotected(file, {}, rows, limits, [](const DataTable&) {});
             }};
 }
 
@@ -95,9 +101,9 @@ const std::vector<Reader>& readers() {
         own_reader("text", read_points),
         own_reader("irregularity", [](const std::string& file) { read_irregularity(file, limits); }),
         own_reader("uff", [](const std::string& file) { read_uff(file, limits); }),
-        library_reader("mat", read_mat, read_mat_unprotected),
-        library_reader("hdf5", read_hdf5, read_hdf5_unprotected),
-        library_reader("wav", read_wav, read_wav_unprotected),
+        library_reader("mat", read_mat_blocks, read_mat_unprotected),
+        library_reader("hdf5", read_hdf5_blocks, read_hdf5_unprotected),
+        library_reader("wav", read_wav_blocks, read_wav_unprotected),
         own_reader("recording", [](const std::string& file) { app::read_recording(file); }),
         own_reader("case", [](const std::string& file) { app::read_case(file, {}); }),
         own_reader("sweep", [](const std::string& file) { app::read_sweep(file, {}); }),

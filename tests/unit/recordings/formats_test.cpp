@@ -8,10 +8,10 @@
 
 #include "parameters/parameter_error.hpp"
 #include "recordings/files/read_binary.hpp"
-#include "recordings/files/read_csv.hpp"
 #include "recordings/files/read_error.hpp"
 #include "recordings/files/uff.hpp"
 #include "recordings/loading/load_recording.hpp"
+#include "recordings/text/read_csv.hpp"
 #include "recordings/units.hpp"
 #include "scratch_folder.hpp"
 

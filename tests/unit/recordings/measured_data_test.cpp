@@ -9,12 +9,12 @@
 #include <cstdlib>
 #include <numbers>
 
-#include "recordings/files/read_csv.hpp"
 #include "recordings/files/uff.hpp"
 #include "recordings/inspection/inspect.hpp"
 #include "recordings/inspection/inspection_writers.hpp"
 #include "recordings/loading/load_recording.hpp"
 #include "recordings/loading/write_csv.hpp"
+#include "recordings/text/read_csv.hpp"
 #include "scratch_folder.hpp"
 
 namespace railpem::recordings {
