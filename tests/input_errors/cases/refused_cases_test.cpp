@@ -181,7 +181,7 @@ TEST(RefusedCases, EndlessFrequencyGrid) {
                    "case.toml:41:11: frequency.step_hz: 9.95e+10 frequency lines are more than two million\n"
                    "  41 | step_hz = 1e-9\n"
                    "     |           ^^^^\n"
-                   "allowed: at least 4.97e-05 Hz, or no step_hz");
+                   "allowed: at least 4.98e-05 Hz, or no step_hz");
 }
 
 TEST(RefusedCases, SingleFrequencyLine) {

@@ -43,7 +43,6 @@ TEST(Plausibility, NamesTheUnitThatWasProbablyMeant) {
         {"track.support.stiffness_n_per_m=60", "MN/m or kN/mm?"},
         {"contact.constant_m_per_n23=9.1e-7", ""},
         {"contact.constant_m_per_n23=1.3e9", ""},
-        {"running.speeds_m_per_s=160", "km/h?"},
         {"irregularity.band[1].longest_wavelength_m=150000", "mm?"},
     };
     for (const auto& [option, unit] : slips) {
