@@ -10,10 +10,8 @@ namespace {
 // A signal has no other way to leave word.
 std::atomic<bool> interrupt_asked{false};
 
-constexpr int kInterrupted = 130;  ///< exit status of a program that Ctrl-C ended
-
 void on_interrupt(int) {
-    if (interrupt_asked.exchange(true)) std::_Exit(kInterrupted);
+    if (interrupt_asked.exchange(true)) std::_Exit(InterruptGuard::kInterrupted);
 }
 
 }  // namespace

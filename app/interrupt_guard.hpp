@@ -7,6 +7,8 @@ namespace railpem::app {
 /// While it lives, Ctrl-C asks for an end with what is known; a second one ends the program at once. One at a time.
 class InterruptGuard {
   public:
+    static constexpr int kInterrupted = 130;  ///< exit status of a program that Ctrl-C ended
+
     InterruptGuard();
     InterruptGuard(const InterruptGuard&) = delete;
     InterruptGuard& operator=(const InterruptGuard&) = delete;

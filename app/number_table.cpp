@@ -2,6 +2,7 @@
 
 #include <cassert>
 #include <charconv>
+#include <cmath>
 
 namespace railpem::app {
 
@@ -22,7 +23,8 @@ std::string csv_text(const NumberTable& table) {
     char* end = text.data() + filled;
     for (std::size_t row = 0; row < rows; ++row) {
         for (const std::vector<double>& column : table.columns) {
-            end = std::to_chars(end, end + kLongest - 1, column[row], std::chars_format::general, kDigits).ptr;
+            if (std::isfinite(column[row]))
+                end = std::to_chars(end, end + kLongest - 1, column[row], std::chars_format::general, kDigits).ptr;
             *end++ = ',';
         }
         end[-1] = '\n';

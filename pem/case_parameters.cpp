@@ -13,6 +13,12 @@ namespace railpem::pem {
 
 using namespace parameters;
 
+namespace {
+
+constexpr double kMostGridLines = 2e6;
+
+}  // namespace
+
 Fields<CaseParameters> case_fields() {
     return {text(&CaseParameters::title, "title", "one line that names the case")};
 }
@@ -35,7 +41,8 @@ Fields<FrequencyParameters> frequency_fields() {
         number(&F::to_hz, "to_hz", "Hz", {.low = 0.0, .high = 10000.0, .low_open = true},
                "last frequency line, at most")
             .required(),
-        number(&F::step_hz, "step_hz", "Hz", positive(), "distance of the lines").required(),
+        number(&F::step_hz, "step_hz", "Hz", not_negative(),
+               "distance of the lines; 0: lines that resolve every peak, chosen by the program"),
     };
 }
 
@@ -108,7 +115,22 @@ Fields<SensorParameters> sensor_fields() {
     };
 }
 
+namespace {
+
+std::vector<double> geometric_start(const FrequencyParameters& grid) {
+    constexpr double kPerOctave = 24.0;
+    const int intervals = std::max(1, static_cast<int>(std::ceil(kPerOctave * std::log2(grid.to_hz / grid.from_hz))));
+    std::vector<double> lines(static_cast<std::size_t>(intervals) + 1);
+    for (std::size_t i = 0; i < lines.size(); ++i)
+        lines[i] = grid.from_hz * std::pow(grid.to_hz / grid.from_hz, static_cast<double>(i) / intervals);
+    lines.back() = grid.to_hz;
+    return lines;
+}
+
+}  // namespace
+
 std::vector<double> frequency_lines(const FrequencyParameters& grid) {
+    if (grid.step_hz == 0.0) return geometric_start(grid);
     // A step that divides the range up to rounding reaches the end of it.
     const std::size_t steps =
         static_cast<std::size_t>(std::floor((grid.to_hz - grid.from_hz) / grid.step_hz * (1.0 + 1e-12) + 1e-9));
@@ -150,6 +172,27 @@ void check_reference(const DecayRateReference& reference) {
                              "strictly increasing values");
 }
 
+/// A spectrum needs two lines to hold any power.
+void check_grid(const FrequencyParameters& grid) {
+    if (grid.to_hz < grid.from_hz)
+        throw ParameterError("frequency.to_hz", "the frequency grid is empty", "greater than frequency.from_hz");
+    const double band = grid.to_hz - grid.from_hz;
+    if (band == 0.0)
+        throw ParameterError("frequency.to_hz",
+                             fmt::format("a single frequency line, {:g} Hz, holds no power: it has no rms", grid.to_hz),
+                             "greater than frequency.from_hz");
+    if (grid.step_hz == 0.0) return;
+    if (band / grid.step_hz > kMostGridLines)
+        throw ParameterError("frequency.step_hz",
+                             fmt::format("{:.3g} frequency lines are more than two million", band / grid.step_hz),
+                             fmt::format("at least {:.3g} Hz, or no step_hz", band / kMostGridLines));
+    if (frequency_lines(grid).size() < 2)
+        throw ParameterError("frequency.step_hz",
+                             fmt::format("the step of {:g} Hz is wider than the band from {:g} to {:g} Hz",
+                                         grid.step_hz, grid.from_hz, grid.to_hz),
+                             fmt::format("at most {:g} Hz, or no step_hz: then the program chooses the lines", band));
+}
+
 /// Every band of wavelengths must turn into frequencies of the grid at this speed: one that does not was meant
 /// otherwise.
 void check_bands_excite(const CaseParameters& parameters, double speed) {
@@ -179,11 +222,7 @@ void check(const CaseParameters& parameters) {
     vehicle::check(parameters.vehicle);
     track::check(parameters.track);
     spectra::check(parameters.irregularity);
-    const FrequencyParameters& grid = parameters.frequency;
-    if (grid.to_hz < grid.from_hz)
-        throw ParameterError("frequency.to_hz", "the frequency grid is empty", "at least frequency.from_hz");
-    if ((grid.to_hz - grid.from_hz) / grid.step_hz > 2e6)
-        throw ParameterError("frequency.step_hz", "more than two million frequency lines", "a larger step");
+    check_grid(parameters.frequency);
     if (parameters.running.speeds_m_per_s.empty())
         throw ParameterError("running.speeds_m_per_s", "no speed", "at least one speed");
     for (const double speed : parameters.running.speeds_m_per_s) check_bands_excite(parameters, speed);

@@ -22,7 +22,7 @@ struct RunningParameters {
     double speed_fluctuation = 0.001;
 };
 
-/// Frequency lines from, from + step, … up to and including `to`.
+/// Frequency lines from, from + step, … up to and including `to`; step 0: lines that resolve what is there.
 struct FrequencyParameters {
     double from_hz = 0.3;
     double to_hz = 200.0;
@@ -73,7 +73,7 @@ parameters::Fields<DecayRateReference> decay_rate_reference_fields();
 parameters::Fields<FrequencyParameters> frequency_fields();
 parameters::Fields<SolverParameters> solver_fields();
 
-/// Frequency lines of the grid, Hz.
+/// Frequency lines of the grid, Hz; for a step of 0 those that refinement begins from, 24 per octave.
 std::vector<double> frequency_lines(const FrequencyParameters& grid);
 
 /// The static load of one wheel, N: the stated one, or a quarter of half the weight of the vehicle with its payload.

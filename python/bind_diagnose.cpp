@@ -2,6 +2,7 @@
 #include <pybind11/stl/filesystem.h>
 
 #include "app/output_folder.hpp"
+#include "app/plausibility/implausible_case.hpp"
 #include "app/report/diagnosis_report.hpp"
 #include "app/schema/diagnosed_case.hpp"
 #include "app/tables/diagnosis_json.hpp"
@@ -40,6 +41,7 @@ std::unique_ptr<Diagnosis> diagnose(const Case& believed, const std::vector<std:
                                   .threads = threads,
                                   .most_effects = most_effects};
     for (const std::filesystem::path& path : paths) request.recordings.push_back(path.string());
+    request.doubts = app::plausibility_warnings(*believed.file, app::case_figures(*believed.file));
     return interruptible([&](Interruption& interruption) {
         auto result = std::make_unique<Diagnosis>();
         const app::DiagnosisObserver observer{.progress = [](double) {},
@@ -75,7 +77,10 @@ py::list channels(const py::object& object) {
 }
 
 std::filesystem::path save_diagnosis(const Diagnosis& self, const std::filesystem::path& folder) {
-    app::OutputFolder output(folder, "save");
+    std::vector<std::string> read = self.request.recordings;
+    if (!self.request.case_path.empty()) read.insert(read.begin(), self.request.case_path);
+    app::OutputFolder output(folder, "save",
+                             {app::Overwrite::anything, [&] { return app::call_provenance(read, self.request.set); }});
     app::write_diagnosis(output, self.result, self.request);
     output.commit();
     return folder;

@@ -49,7 +49,7 @@ py::array_t<double> channel(const py::object& object, const std::string& name) {
 }
 
 std::filesystem::path save_recording(const Recording& self, const std::filesystem::path& folder) {
-    app::OutputFolder output(folder, "save");
+    app::OutputFolder output(folder, "save", {app::Overwrite::anything, app::program_provenance});
     app::write_simulated_recording(output, self.recording, app::RecordingFormat::csv);
     output.commit();
     return folder;

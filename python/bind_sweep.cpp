@@ -1,9 +1,10 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include "app/output_folder.hpp"
 #include "app/schema/sweep_schema.hpp"
 #include "app/tables/sweep_table.hpp"
-#include "pem/coupling/sweep.hpp"
+#include "pem/lines/sweep.hpp"
 #include "python/array_view.hpp"
 #include "python/bindings.hpp"
 #include "python/interruption.hpp"
@@ -77,7 +78,11 @@ void write_csv(const Sweep& self, const std::filesystem::path& path) {
         const auto begin = self.values.begin() + static_cast<std::ptrdiff_t>(first * rows);
         return std::vector<double>(begin, begin + static_cast<std::ptrdiff_t>(count * rows));
     };
-    app::write_sweep_csv(path, self.file.plan, block);
+    app::OutputFolder folder(path.parent_path(), "write_csv");
+    folder.write_by(path.filename().string(), [&](const std::filesystem::path& file) {
+        app::write_sweep_csv(file, self.file.plan, block, app::stamped(".csv", "", app::program_provenance()));
+    });
+    folder.commit();
 }
 
 }  // namespace

@@ -108,7 +108,7 @@ def run_program(program, lines, low, high, folder):
                 subprocess.run(command, check=True)
             best = min(best, one.wall)
     with open(pathlib.Path(folder) / "uic60.receptance.csv", newline="", encoding="utf-8") as file:
-        rows = list(csv.DictReader(file))
+        rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
     columns = {name: np.array([float(row[name]) for row in rows]) for name in rows[0]}
     return best, all_runs.cpu / runs, columns
 

@@ -35,10 +35,10 @@ ROOMS = {
     "diagnosis": ["effects", "expectation", "observations", "model", "likelihood", "fit", "hypotheses", "judge", "search", "findings",
                   "roof"],
     "track": ["ground", "elements", "pads", "statics", "rail"],
-    "pem": ["ground", "rail", "coupling", "distortion"],
+    "pem": ["ground", "rail", "coupling", "lines", "distortion"],
     "simulate": ["numerics", "ground", "track", "vehicle", "march", "effects"],
     "recordings": ["files", "matlab", "text", "ground", "loading", "estimates", "checks", "page", "inspection"],
-    "app": ["ground", "schema", "tables", "page", "report", "prove", "verbs"],
+    "app": ["ground", "schema", "plausibility", "tables", "page", "report", "prove", "verbs"],
 }
 # Where the program begins, it knows everything.
 ABOVE_ALL = {"app/main.cpp"}

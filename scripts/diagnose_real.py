@@ -36,7 +36,7 @@ def decay_rates(table):
     """Vertical decay rates {section: {(day, rail): {third-octave: dB/m}}}, days in order."""
     sections = {}
     with open(table, newline="") as file:
-        for row in csv.DictReader(file):
+        for row in csv.DictReader(line for line in file if not line.startswith("#")):
             if row["dir"] == "v" and row["tdr"] not in ("", "NA") and float(row["tdr"]) > 0.0 and float(row["freq"]) <= HIGHEST_HZ:
                 sections.setdefault(row["sec"], {}).setdefault((row["messdatum"], row["rail"]), {})[float(row["freq"])] = float(row["tdr"])
     return {section: dict(sorted(days.items())) for section, days in sections.items() if section in STATES}
@@ -100,7 +100,7 @@ def diagnose(case, recordings, out):
 def spectra(out, recording):
     """Columns of <recording>.spectra.csv."""
     with open(out / f"{recording}.spectra.csv", newline="") as file:
-        rows = list(csv.DictReader(file))
+        rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
     return {key: np.array([float(row[key]) for row in rows]) for key in rows[0] if key != "channel"}
 
 

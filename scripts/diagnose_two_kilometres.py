@@ -116,7 +116,7 @@ def diagnose(study, name, case, folder, settings=(), label=""):
 def spectra(out, observation):
     """Columns of <observation>.spectra.csv."""
     with open(out / f"{observation}.spectra.csv", newline="") as file:
-        rows = list(csv.DictReader(file))
+        rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
     return {key: np.array([float(row[key]) for row in rows]) for key in rows[0] if key != "channel"}
 
 
@@ -139,7 +139,7 @@ def scale_of(study, columns_by_side, out):
     """By side, the factor that brings the first kilometre to the level of its diagnosed case: what the second is held against in the same unit."""
     study.run("solve", out / "diagnosed.toml", "--out", study.work / "solved")
     with open(study.work / "solved/diagnosed.psd.csv", newline="") as file:
-        rows = list(csv.DictReader(file))
+        rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
     f = np.array([float(row["frequency_hz"]) for row in rows])
     own = np.array([float(row["wheel_1_acceleration_psd_m2_per_s4_per_hz"]) for row in rows])
     factors = {}

@@ -82,7 +82,7 @@ def main():
     there = set()
     if os.path.exists(options.table):
         with open(options.table) as file:
-            there = {row["hidden"] for row in csv.DictReader(file)}
+            there = {row["hidden"] for row in csv.DictReader(line for line in file if not line.startswith("#"))}
     for name in options.lines:
         if name in there:
             continue

@@ -43,7 +43,7 @@ def main():
     table, first = sys.argv[1], int(sys.argv[2])
     found = collections.defaultdict(list)
     with open(table) as file:
-        for row in csv.DictReader(file):
+        for row in csv.DictReader(line for line in file if not line.startswith("#")):
             if int(row["seed"]) >= first and row["set_right"] == "1":
                 for key, *miss in misses_of(row):
                     found[key].append(miss)

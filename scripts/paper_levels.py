@@ -70,7 +70,7 @@ class Comparison:
 def read_table(path):
     """A CSV table as columns by name."""
     with open(path, newline="") as file:
-        names = next(csv.reader(file))
+        names = next(csv.reader(line for line in file if not line.startswith("#")))
     values = np.loadtxt(path, delimiter=",", skiprows=1, ndmin=2)
     return {name: values[:, i] for i, name in enumerate(names)}
 

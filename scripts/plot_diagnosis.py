@@ -31,7 +31,7 @@ MOST_BARS = 14
 
 def read_rows(path):
     with open(path, newline="", encoding="utf-8") as file:
-        return list(csv.DictReader(file))
+        return list(csv.DictReader(line for line in file if not line.startswith("#")))
 
 
 def column(rows, name):

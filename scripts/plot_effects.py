@@ -47,7 +47,7 @@ def solve(program, folder, name, text, options):
         command += ["--set", option]
     subprocess.run(command, check=True)
     with open(folder / name / f"{name}.psd.csv", newline="") as file:
-        rows = list(csv.reader(file))
+        rows = list(csv.reader(line for line in file if not line.startswith("#")))
     values = np.array(rows[1:], dtype=float)
     return {column: values[:, i] for i, column in enumerate(rows[0])}
 

@@ -36,7 +36,7 @@ plt.rcParams.update({
 def read_table(path):
     """A CSV table as columns by name."""
     with open(path, newline="") as file:
-        rows = list(csv.reader(file))
+        rows = list(csv.reader(line for line in file if not line.startswith("#")))
     values = np.array(rows[1:], dtype=float)
     return {name: values[:, i] for i, name in enumerate(rows[0])}
 

@@ -23,7 +23,7 @@ GOOD, PLACE, NAME, MISSED, WRONG = "#1b7837", "#4393c3", "#f4a582", "#878787", "
 def read_proof(folder):
     score = json.loads((folder / "score.json").read_text(encoding="utf-8"))
     with open(folder / "trials.csv", newline="", encoding="utf-8") as file:
-        return score, list(csv.DictReader(file))
+        return score, list(csv.DictReader(line for line in file if not line.startswith("#")))
 
 
 def order(names):

@@ -28,7 +28,7 @@ TICKS = [20, 50, 100, 200, 500, 1000, 2000, 5000]
 def read_table(path):
     """A CSV table as columns by name."""
     with open(path, newline="", encoding="utf-8") as file:
-        rows = list(csv.reader(file))
+        rows = list(csv.reader(line for line in file if not line.startswith("#")))
     values = np.array(rows[1:], dtype=float)
     return {name: values[:, i] for i, name in enumerate(rows[0])}
 

@@ -33,7 +33,7 @@ WORDS = {
 def read_table(path):
     """Rows of the table with numbers as numbers, and the names of the varied keys."""
     with open(path, newline="", encoding="utf-8") as file:
-        reader = csv.DictReader(file)
+        reader = csv.DictReader(line for line in file if not line.startswith("#"))
         keys = [name for name in reader.fieldnames if name not in FIXED]
         rows = []
         for row in reader:

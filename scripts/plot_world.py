@@ -32,7 +32,7 @@ def record(program, folder, world, *options):
     subprocess.run([program, "simulate", CASE, "--seconds", "60", "--seed", "3", "--world", world, "--out", out, "--truth", out / "truth.json",
                     *options], check=True)
     with open(out / "recording.csv", newline="", encoding="utf-8") as file:
-        names = next(csv.reader(file))
+        names = next(csv.reader(line for line in file if not line.startswith("#")))
         columns = np.loadtxt(file, delimiter=",", unpack=True)
     return dict(zip(names, columns)), json.loads((out / "truth.json").read_text(encoding="utf-8"))
 

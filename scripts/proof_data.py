@@ -9,7 +9,7 @@ PROOF = pathlib.Path(__file__).resolve().parent.parent / "docs" / "proof"
 
 def rows_of(name):
     with open(PROOF / name, newline="", encoding="utf-8") as file:
-        return list(csv.DictReader(file))
+        return list(csv.DictReader(line for line in file if not line.startswith("#")))
 
 
 @dataclasses.dataclass

@@ -7,8 +7,12 @@ source "$(dirname "$0")/setup.sh"
 out=$(realpath -m "${1:-$root/out}")
 
 configure > /dev/null
-cmake --build "$build" --target railpem
+cmake --build "$build" --target railpem railpem_python
 program="$build/railpem"
+
+# `import railpem` of the system's interpreter finds the module where it was built.
+site=$(/usr/bin/python3 -c 'import site; print(site.getusersitepackages())')
+mkdir -p "$site" && echo "$build/python" > "$site/railpem.pth"
 
 cases=("$root"/cases/wei2016/case{1,2,3,3_consistent}.toml)
 "$program" solve "${cases[@]}" --out "$out/wei2016" --bands
@@ -24,6 +28,7 @@ done
 cat <<MESSAGE
 
 The program:  $program
+From Python:  import railpem   (/usr/bin/python3; found through $site/railpem.pth)
 Tables:       $out/wei2016/*.psd.csv, *.bands.csv, *.static.csv, *.summary.json
 Figures:      $out/wei2016/figures/*.png, *.svg (2 to 5 and 7 to 10 of Wei et al. 2016)
 Diagnosis:    $out/concealed/report.html of the recording in cases/concealed; *.png, diagnosis.json beside it

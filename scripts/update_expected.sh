@@ -10,8 +10,10 @@ for case in "$root"/cases/*/*.toml; do
     case "$case" in *.sweep.toml | *recording.toml) continue ;; esac
     expected="$(dirname "$case")/expected"
     mkdir -p "$expected"
-    "$program" solve "$case" --out "$work" --bands
+    "$program" solve "$case" --out "$work" --bands > /dev/null
     "$program" static "$case" --out "$work"
     name=$(basename "$case" .toml)
-    cp "$work/$name.bands.csv" "$work/$name.static.csv" "$expected/"
+    for table in bands static; do
+        grep -v '^#' "$work/$name.$table.csv" > "$expected/$name.$table.csv"  # where it comes from is of this machine
+    done
 done

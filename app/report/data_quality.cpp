@@ -58,6 +58,21 @@ std::string data_quality(const Diagnosis& diagnosis) {
     return out + block("Not tested", diagnosis.not_tested, "Every effect of the catalogue was tested.");
 }
 
+std::string doubts(const std::vector<std::string>& doubts) {
+    std::vector<std::string> items;
+    for (const std::string& doubt : doubts) items.push_back(doubt);
+    return block("Values of the case that are hardly believed", items, "");
+}
+
+std::string inputs(const Provenance* provenance) {
+    if (!provenance) return "";
+    std::string out =
+        "<p class=\"soft\">" + escaped(provenance->program) + "; files that were read, with their SHA-256:</p>\n<pre>";
+    for (const InputFile& input : provenance->inputs)
+        out += escaped((input.sha256.empty() ? "not kept" : input.sha256) + "  " + input.path) + "\n";
+    return out + "</pre>\n";
+}
+
 std::string repeat(const Diagnosis& diagnosis, const std::string& command) {
     std::string out = "<h2>To repeat it</h2>\n<pre>" + escaped(command) + "</pre>\n<p class=\"soft\">";
     if (diagnosis.seconds_taken > 0.0) out += fmt::format("It took {} s. ", figure(diagnosis.seconds_taken));

@@ -2,7 +2,9 @@
 // The sections of the report in their order, each as HTML; empty where the diagnosis has nothing to show.
 
 #include <string>
+#include <vector>
 
+#include "app/provenance.hpp"
 #include "diagnosis/findings/diagnosis.hpp"
 
 namespace railpem::app::report {
@@ -17,6 +19,8 @@ std::string rivals(const diagnosis::Diagnosis& diagnosis);           ///< other 
 std::string remaining(const diagnosis::Diagnosis& diagnosis);        ///< what stays unexplained
 std::string inferred_curves(const diagnosis::Diagnosis& diagnosis);  ///< dynamic stiffness seen from the train
 std::string data_quality(const diagnosis::Diagnosis& diagnosis);     ///< recordings, faults, what was not tested
+std::string doubts(const std::vector<std::string>& doubts);          ///< what is hardly believed of the case
+std::string inputs(const Provenance* provenance);                    ///< files that were read, with their hashes
 std::string repeat(const diagnosis::Diagnosis& diagnosis, const std::string& command);
 
 }  // namespace railpem::app::report

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "app/key_depth.hpp"
 #include "app/schema/read_table.hpp"
 
 namespace railpem::app {
@@ -87,6 +88,9 @@ void apply_option(Document& document, const TableSchema& schema, const std::stri
         throw document.error(
             place, {.what = "no key and value", .allowed = "--set key=value, such as --set vehicle.payload_kg=5000"});
     const std::vector<Step> steps = key_steps(key_and_value.substr(0, equals));
+    if (steps.size() > kDeepestKey)
+        throw document.error({.option = "--set"}, {.what = fmt::format("a key of {} names", steps.size()),
+                                                   .allowed = fmt::format("at most {} names", kDeepestKey)});
     Node value = parse_option_value(key_and_value.substr(equals + 1), place);
 
     OptionTarget target{&document.root, &schema};

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/refusals.hpp"
 #include "app/schema/document.hpp"
 #include "diagnosis/effects/effect.hpp"
 #include "pem/case_parameters.hpp"
@@ -21,8 +22,8 @@ struct CaseFile {
 
 /// Reads a case, applies the options `--set key=value` in order, then the effects, and checks all of it, the rules of
 /// physics included.
-/// Throws InputError.
-CaseFile read_case(const std::string& path, const std::vector<std::string>& options);
+/// Throws InputError; with Refuse::all it holds every refusal of the first of these steps that refuses anything.
+CaseFile read_case(const std::string& path, const std::vector<std::string>& options, Refuse refuse = Refuse::first);
 
 /// The same for a text that is already there, called `name` in messages.
 CaseFile parse_case(const std::string& name, const std::string& text, const std::vector<std::string>& options);

@@ -2,7 +2,6 @@
 
 #include "app/schema/describe_table.hpp"
 #include "app/schema/effect_list.hpp"
-#include "pem/case_parameters.hpp"
 
 namespace railpem::app {
 
@@ -10,11 +9,16 @@ using namespace parameters;
 
 namespace {
 
+constexpr const char* kOneLayout =
+    "a vehicle here is a body on two bogies of two wheelsets, all alike; one of another layout (two axles, one bogie, "
+    "three axles, unequal axle loads, articulated) cannot be described";
+
 Table<vehicle::VehicleParameters> vehicle_table() {
     using V = vehicle::VehicleParameters;
     const Table<vehicle::SuspensionParameters> suspension(vehicle::suspension_fields());
     Table<V> table(vehicle::vehicle_fields());
-    table.table("primary", &V::primary, "Primary suspension: one element per axle box and rail side", suspension)
+    table.note(kOneLayout, {"bogie_mass_kg", "bogie_pitch_inertia_kg_m2", "bogie_distance_m", "wheelbase_m"})
+        .table("primary", &V::primary, "Primary suspension: one element per axle box and rail side", suspension)
         .table("secondary", &V::secondary, "Secondary suspension: one element per bogie and rail side", suspension)
         .list("body_bending", &V::body_bending, "The first bending mode of the car body; at most one",
               Table(vehicle::body_bending_fields()))
@@ -107,8 +111,14 @@ const TableSchema& case_schema() {
     return *schema;
 }
 
+pem::CaseParameters case_defaults() {
+    pem::CaseParameters defaults;
+    defaults.frequency.step_hz = 0.0;
+    return defaults;
+}
+
 std::string describe_case() {
-    const pem::CaseParameters defaults;
+    const pem::CaseParameters defaults = case_defaults();
     return describe_table("The case file", kCaseIntroduction, case_schema(), &defaults);
 }
 

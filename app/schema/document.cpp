@@ -25,6 +25,8 @@
 #include <charconv>
 #include <cstring>
 
+#include "app/key_depth.hpp"
+#include "app/run_inputs.hpp"
 #include "recordings/files/visible_text.hpp"
 
 namespace railpem::app {
@@ -191,6 +193,11 @@ void stand_at(Node& node, const Place& place) {
 
 Document parse_document(const std::string& name, const std::string& text) {
     Document document{.name = name, .lines = split_lines(text), .root = {}};
+    if (const auto line = line_of_deep_key(text))
+        throw document.error({.line = *line, .column = 1},
+                             {.what = fmt::format("a key of more than {} names", kDeepestKey),
+                              .allowed = fmt::format("dotted keys and headers of at most {} names", kDeepestKey),
+                              .hint = ""});
     try {
         document.root = convert(toml::parse(text));
     } catch (const toml::parse_error& error) {
@@ -204,11 +211,17 @@ Document parse_document(const std::string& name, const std::string& text) {
 }
 
 Document read_document(const std::string& path) {
+    note_input(path);
     return parse_document(path, read_text(path));
 }
 
 Node parse_option_value(const std::string& text, const Place& place) {
     Node node;
+    if (line_of_deep_key(text))
+        throw input_error("", "", place,
+                          {.what = fmt::format("a key of more than {} names", kDeepestKey),
+                           .allowed = "a value in TOML syntax, or a bare word",
+                           .hint = ""});
     try {
         const toml::table table = toml::parse("value = " + text);
         if (table.size() == 1) {

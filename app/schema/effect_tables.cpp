@@ -47,10 +47,11 @@ void settle_keys(const Document& document, const diagnosis::ParameterAccess& acc
 
 }  // namespace
 
-std::vector<EffectInstance> read_effects(const Document& document, const TableSchema& root) {
+std::vector<EffectInstance> read_effects(const Document& document, const TableSchema& root, Refusals* all) {
     std::vector<std::unique_ptr<EffectInstance>> read;  // the reader keeps the address of one while it makes the next
-    read_variants(document, root, effect_list(),
-                  [&](const std::string&) { return read.emplace_back(std::make_unique<EffectInstance>()).get(); });
+    read_variants(
+        document, root, effect_list(),
+        [&](const std::string&) { return read.emplace_back(std::make_unique<EffectInstance>()).get(); }, all);
     std::vector<EffectInstance> effects;
     for (const auto& instance : read) effects.push_back(*instance);
     return effects;

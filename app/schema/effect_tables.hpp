@@ -4,14 +4,16 @@
 #include <string>
 #include <vector>
 
+#include "app/refusals.hpp"
 #include "app/schema/document.hpp"
 #include "app/schema/schema.hpp"
 #include "diagnosis/effects/effect.hpp"
 
 namespace railpem::app {
 
-/// Reads the [[effect]] tables of a case file whose schema is `root`. Throws InputError.
-std::vector<diagnosis::EffectInstance> read_effects(const Document& document, const TableSchema& root);
+/// Reads the [[effect]] tables of a case file whose schema is `root`. Throws InputError, unless there is `all`.
+std::vector<diagnosis::EffectInstance> read_effects(const Document& document, const TableSchema& root,
+                                                    Refusals* all = nullptr);
 
 /// The case with the effects of its file. Throws InputError at the table of the effect that cannot be.
 pem::CaseParameters with_effects(const Document& document, pem::CaseParameters parameters,

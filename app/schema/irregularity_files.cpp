@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "app/run_inputs.hpp"
 #include "app/schema/read_table.hpp"
 #include "recordings/files/read_error.hpp"
 #include "recordings/measured_irregularity.hpp"
@@ -29,6 +30,7 @@ void read_band(const Document& document, const std::string& key, IrregularityBan
     if (!band.table_cycles_per_m.empty() || !band.table_psd_m3.empty())
         throw refused(document,
                       ParameterError(key + ".file", "the table is given both here and as a file", "one of them"));
+    note_input(file);
     try {
         recordings::MeasuredIrregularity measured = read_measured(file, band);
         band.table_cycles_per_m = std::move(measured.cycles_per_m);

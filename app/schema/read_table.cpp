@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "app/schema/nearest_key.hpp"
@@ -28,10 +29,15 @@ Problem unknown_key(const Entry& entry, const TableSchema& table, const std::str
 
 namespace {
 
+bool contains(const std::vector<std::string>& keys, const std::string& key) {
+    return std::find(keys.begin(), keys.end(), key) != keys.end();
+}
+
 /// What stays the same while a file is read.
 struct Reading {
     const Document& document;
     const TableSchema& root;
+    Refusals* all = nullptr;
 };
 
 [[noreturn]] void refuse(const Reading& reading, const Place& place, const Problem& problem) {
@@ -127,7 +133,7 @@ struct TableReader {
     void* owner;
 
     void read(const Node& node) const {
-        for (const Entry& entry : node.entries) read_entry(entry);
+        for (const Entry& entry : node.entries) guarded(reading.all, [&] { read_entry(entry); });
         require(node);
     }
 
@@ -196,9 +202,12 @@ struct TableReader {
         for (const FieldSchema& field : schema.fields) {
             const Description& description = field.description;
             if (!description.required || node.find(description.key)) continue;
-            refuse(reading, node.place,
-                   {.what = fmt::format("{} has no '{}' ({})", table_text(path), description.key, description.says),
-                    .allowed = allowed_text(description)});
+            guarded(reading.all, [&] {
+                refuse(reading, node.place,
+                       {.what = fmt::format("{} has no '{}' ({})", table_text(path), description.key, description.says),
+                        .allowed = allowed_text(description),
+                        .hint = contains(schema.note_keys, description.key) ? schema.note : ""});
+            });
         }
         for (const SubtableSchema& child : schema.tables) {
             if (node.find(child.name)) continue;
@@ -212,17 +221,17 @@ struct TableReader {
 
 }  // namespace
 
-void read_table(const Document& document, const TableSchema& schema, void* owner) {
-    const Reading reading{document, schema};
+void read_table(const Document& document, const TableSchema& schema, void* owner, Refusals* all) {
+    const Reading reading{document, schema, all};
     TableReader{reading, schema, "", owner}.read(document.root);
 }
 
 void read_variants(const Document& document, const TableSchema& root, const VariantListSchema& list,
-                   const std::function<void*(const std::string& kind)>& append) {
-    const Reading reading{document, root};
+                   const std::function<void*(const std::string& kind)>& append, Refusals* all) {
+    const Reading reading{document, root, all};
     const Entry* entry = document.root.find(list.name);
     if (!entry) return;
-    for (const Node& element : entry->node.elements) {
+    const auto read_element = [&](const Node& element) {
         const FieldSchema& key = *list.unknown->field(list.key);
         const Entry* kind = element.find(list.key);
         if (!kind)
@@ -231,13 +240,14 @@ void read_variants(const Document& document, const TableSchema& root, const Vari
                     .allowed = allowed_text(key.description)});
         const std::string name = std::get<std::string>(read_value(reading, *kind, key.description));
         TableReader{reading, list.variant(name), list.name, append(name)}.read(element);
-    }
+    };
+    for (const Node& element : entry->node.elements) guarded(all, [&] { read_element(element); });
 }
 
-InputError refused(const Document& document, const ParameterError& error) {
+Place place_of(const Document& document, const std::string& key) {
     const Node* node = &document.root;
     Place place = node->place;
-    for (const Step& step : key_steps(error.key())) {
+    for (const Step& step : key_steps(key)) {
         const Entry* entry = node->kind == NodeKind::table ? node->find(step.name) : nullptr;
         if (!entry) break;
         node = &entry->node;
@@ -248,7 +258,11 @@ InputError refused(const Document& document, const ParameterError& error) {
         }
         place = node->place;
     }
-    return document.error(place,
+    return place;
+}
+
+InputError refused(const Document& document, const ParameterError& error) {
+    return document.error(place_of(document, error.key()),
                           {.what = fmt::format("{}: {}", error.key(), error.problem()), .allowed = error.allowed()});
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "app/run_inputs.hpp"
 #include "app/schema/describe_table.hpp"
 #include "recordings/files/visible_text.hpp"
 #include "recordings/loading/load_recording.hpp"
@@ -106,19 +107,24 @@ const TableSchema& recording_schema() {
     return *schema;
 }
 
-RecordingFile read_recording(const std::string& path) {
+RecordingFile read_recording(const std::string& path, Refuse refuse) {
     const fs::path file = description_path(path);
     RecordingFile recording{.name = recording_name(file),
                             .base = file.parent_path(),
                             .description = {},
                             .document = read_document(file.string())};
-    read_table(recording.document, recording_schema(), &recording.description);
+    Refusals found;
+    read_table(recording.document, recording_schema(), &recording.description,
+               refuse == Refuse::all ? &found : nullptr);
+    throw_all(found);
     try {
         recordings::check(recording.description);
     } catch (const parameters::ParameterError& error) {
         throw refused(recording.document, error);
     }
     check_irregularity(recording);
+    for (const std::string& file : {recording.description.data, recording.description.irregularity})
+        if (!file.empty()) note_input(recording.base / file);
     return recording;
 }
 

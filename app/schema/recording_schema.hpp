@@ -27,7 +27,7 @@ struct RecordingFile {
 
 /// Reads a recording's description, from the file or from `recording.toml` in the folder that `path` names, and checks
 /// it; the data are not opened. Throws InputError.
-RecordingFile read_recording(const std::string& path);
+RecordingFile read_recording(const std::string& path, Refuse refuse = Refuse::first);
 
 /// True when a file says by its keys that it describes a recording.
 bool is_recording(const Document& document);

@@ -168,7 +168,7 @@ std::string did_you_mean(const std::string& unknown, const TableSchema& table, c
                           : fmt::format("did you mean '{}'?", near);
     }
     const std::vector<std::string> elsewhere = keys_named(root, unknown);
-    return elsewhere.empty() ? "" : fmt::format("did you mean '{}'?", fmt::join(elsewhere, "' or '"));
+    return elsewhere.empty() ? table.note : fmt::format("did you mean '{}'?", fmt::join(elsewhere, "' or '"));
 }
 
 }  // namespace railpem::app

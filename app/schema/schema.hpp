@@ -62,6 +62,8 @@ struct VariantListSchema {
 };
 
 struct TableSchema {
+    std::string note;                    ///< said where a key is unknown and nothing nearer helps; may be empty
+    std::vector<std::string> note_keys;  ///< and where one of these is missing
     std::vector<FieldSchema> fields;
     std::vector<SubtableSchema> tables;
     std::vector<TableListSchema> lists;
@@ -120,6 +122,12 @@ class Table {
         return *this;
     }
 
+    Table& note(std::string text, std::vector<std::string> missing_keys) {
+        schema_->note = std::move(text);
+        schema_->note_keys = std::move(missing_keys);
+        return *this;
+    }
+
     Table& variants(VariantListSchema list) {
         schema_->variant_lists.push_back(std::move(list));
         return *this;
@@ -154,7 +162,7 @@ std::vector<std::string> number_keys(const TableSchema& schema);
 std::vector<std::string> keys_named(const TableSchema& schema, const std::string& name);
 
 /// "did you mean 'body_mass_kg'?" for a name that a table does not know: the nearest of its own names, else the same
-/// name in another table of the file. Empty when there is none.
+/// name in another table of the file, else the table's note. May be empty.
 std::string did_you_mean(const std::string& unknown, const TableSchema& table, const TableSchema& root);
 
 }  // namespace railpem::app

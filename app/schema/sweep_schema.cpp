@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 
 #include "app/schema/case_file.hpp"
 #include "app/schema/case_numbers.hpp"
@@ -52,8 +53,12 @@ Table<SweepDescription> sweep_table() {
             "keep", &S::keep, "What is kept of every case; at least one",
             Table(Fields<K>{
                 text(&K::response, "response", "body, body_front, …, wheel_1, rail_1, contact_1, trackbed").required(),
-                choice(&K::quantity, "quantity", {"rms", "peak-level", "peak-frequency", "bands", "spectrum"},
-                       "bands: third-octave levels; spectrum: every frequency line"),
+                choice(&K::quantity, "quantity",
+                       {"rms", "peak-level", "peak-frequency", "bands", "spectrum", "weighted-rms-iso2631",
+                        "mean-comfort-en12299", "sperling-index"},
+                       "bands: third-octave levels; spectrum: every frequency line; the last three: vertical ride "
+                       "comfort, of "
+                       "a response of the body"),
             }));
     return table;
 }
@@ -148,20 +153,36 @@ pem::SweepAxis read_axis(const Document& document, std::size_t index, const Vary
 pem::BandRule band_rule(const pem::CaseParameters& base) {
     pem::BandRule rule;
     const std::vector<double> lines = pem::frequency_lines(base.frequency);
-    const std::vector<double> flat(lines.size(), 1.0);
-    if (lines.size() > 1)
-        for (const spectra::ThirdOctaveLevel& level : spectra::third_octave_levels(lines, flat))
-            rule.centre_hz.push_back(level.band.nominal_hz);
+    for (const spectra::ThirdOctaveBand& band : spectra::third_octave_bands(lines.front(), lines.back()))
+        rule.centre_hz.push_back(band.nominal_hz);
     rule.levels = [](const std::vector<double>& frequency, const std::vector<double>& psd) {
         std::vector<double> levels;
         for (const spectra::ThirdOctaveLevel& level : spectra::third_octave_levels(frequency, psd))
-            levels.push_back(level.level_db);
+            levels.push_back(level.mean_square > 0.0 ? level.level_db : std::numeric_limits<double>::quiet_NaN());
         return levels;
     };
     return rule;
 }
 
-std::vector<pem::SweepQuantity> read_quantities(const Document& document, const SweepDescription& description) {
+/// Comfort is of people: of the body, over the frequencies that its standards ask for.
+void check_comfort(const Document& document, std::size_t index, const KeepSection& keep,
+                   const pem::CaseParameters& base) {
+    if (keep.quantity < pem::QuantityKind::weighted_rms_iso2631) return;
+    if (!keep.response.starts_with("body"))
+        throw refused_in(
+            document, "keep", index, "response",
+            {.what = "comfort is of people in the car", .allowed = "body, body_front, body_rear", .hint = ""});
+    constexpr double kFrom_hz = 0.5, kTo_hz = 80.0;
+    if (base.frequency.from_hz > kFrom_hz || pem::frequency_lines(base.frequency).back() < kTo_hz)
+        throw refused_in(document, "keep", index, "quantity",
+                         {.what = fmt::format("the lines of the case reach from {:g} to {:g} Hz",
+                                              base.frequency.from_hz, base.frequency.to_hz),
+                          .allowed = fmt::format("lines that cover {:g} to {:g} Hz", kFrom_hz, kTo_hz),
+                          .hint = ""});
+}
+
+std::vector<pem::SweepQuantity> read_quantities(const Document& document, const SweepDescription& description,
+                                                const pem::CaseParameters& base) {
     std::vector<std::string> known;
     for (const pem::ResponseName& name : pem::response_names()) known.push_back(name.where);
     std::vector<pem::SweepQuantity> quantities;
@@ -173,6 +194,12 @@ std::vector<pem::SweepQuantity> read_quantities(const Document& document, const 
                               .allowed = joined(known),
                               .hint = did_you_mean(keep.response, known)});
         }
+        if (keep.quantity == pem::QuantityKind::spectrum && base.frequency.step_hz == 0.0)
+            throw refused_in(document, "keep", i, "quantity",
+                             {.what = "a spectrum has other lines in every case where the case states no step",
+                              .allowed = "a case with frequency.step_hz, or another quantity",
+                              .hint = ""});
+        check_comfort(document, i, keep, base);
         quantities.push_back({keep.response, keep.quantity});
     }
     return quantities;
@@ -254,7 +281,7 @@ SweepFile planned(const Document& document, SweepDescription description, const 
     plan.design = sweep.description.design;
     plan.samples = static_cast<std::size_t>(sweep.description.samples);
     plan.seed = static_cast<std::uint64_t>(sweep.description.seed);
-    plan.quantities = read_quantities(document, sweep.description);
+    plan.quantities = read_quantities(document, sweep.description, base);
     for (std::size_t i = 0; i < sweep.description.vary.size(); ++i) {
         plan.axes.push_back(read_axis(document, i, sweep.description.vary[i], plan.design, plan.base));
         if (plan.axes.back().key == kSpeeds) plan.base.running.speeds_m_per_s.resize(1);
@@ -267,10 +294,12 @@ SweepFile planned(const Document& document, SweepDescription description, const 
 
 }  // namespace
 
-SweepFile read_sweep(const std::string& path, const std::vector<std::string>& options) {
+SweepFile read_sweep(const std::string& path, const std::vector<std::string>& options, Refuse refuse) {
     const Document document = read_document(path);
     SweepDescription description;
-    read_table(document, sweep_schema(), &description);
+    Refusals found;
+    read_table(document, sweep_schema(), &description, refuse == Refuse::all ? &found : nullptr);
+    throw_all(found);
     const std::filesystem::path case_path = std::filesystem::path(path).parent_path() / description.case_path;
     if (!std::filesystem::exists(case_path)) {
         const Entry* entry = document.root.find("case");
@@ -278,7 +307,7 @@ SweepFile read_sweep(const std::string& path, const std::vector<std::string>& op
                                                  .allowed = "a path relative to the sweep file",
                                                  .hint = ""});
     }
-    return planned(document, std::move(description), read_case(case_path.string(), options).parameters);
+    return planned(document, std::move(description), read_case(case_path.string(), options, refuse).parameters);
 }
 
 SweepFile parse_sweep(const std::string& name, const std::string& text, const pem::CaseParameters& base) {

@@ -4,10 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "app/refusals.hpp"
 #include "app/schema/document.hpp"
 #include "app/schema/schema.hpp"
 #include "pem/case_parameters.hpp"
-#include "pem/coupling/sweep.hpp"
+#include "pem/lines/sweep.hpp"
 
 namespace railpem::app {
 
@@ -53,7 +54,7 @@ struct SweepFile {
 /// Reads a sweep and its case (with options `--set` applied to it), and checks every combination of the varied values
 /// before anything runs. Throws InputError that names the file, the line and, where a combination is impossible, the
 /// combination.
-SweepFile read_sweep(const std::string& path, const std::vector<std::string>& options);
+SweepFile read_sweep(const std::string& path, const std::vector<std::string>& options, Refuse refuse = Refuse::first);
 
 /// The same for a text that is already there, called `name` in messages, over a case that is already read: what the
 /// text says under `case` is not opened.

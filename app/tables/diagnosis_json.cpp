@@ -172,7 +172,7 @@ Json imperfection_json(const diagnosis::Imperfection& own) {
 
 }  // namespace
 
-std::string diagnosis_json(const Diagnosis& diagnosis) {
+std::string diagnosis_json(const Diagnosis& diagnosis, const std::vector<std::string>& doubts) {
     const auto set = [](const diagnosis::EffectSet& s) -> Json {
         return {{"effects", s.effects}, {"probability", or_null(s.probability)}};
     };
@@ -197,6 +197,7 @@ std::string diagnosis_json(const Diagnosis& diagnosis) {
     json["retuned_numbers"] = tuned_json(diagnosis.retuned_numbers);
     json["curves"] = array_of(diagnosis.curves, curve_json);
     json["not_tested"] = diagnosis.not_tested;
+    json["case_warnings"] = doubts;
     json["rests_on"] = diagnosis.rests_on;
     json["remains"] = diagnosis.remains;
     json["seconds"] = or_null(diagnosis.seconds_taken);

@@ -20,4 +20,14 @@ struct Hdf5Handle {
     ~Hdf5Handle() { close(id); }
 };
 
+/// The text attribute "provenance" of a file or data set.
+inline void write_hdf5_stamp(hid_t owner, const std::string& text, const std::string& failure) {
+    const Hdf5Handle space(H5Screate(H5S_SCALAR), H5Sclose, failure), type(H5Tcopy(H5T_C_S1), H5Tclose, failure);
+    H5Tset_size(type.id, text.size());
+    H5Tset_strpad(type.id, H5T_STR_NULLPAD);
+    const Hdf5Handle attribute(H5Acreate2(owner, "provenance", type.id, space.id, H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
+                               failure);
+    if (H5Awrite(attribute.id, type.id, text.data()) < 0) throw OutputError(failure);
+}
+
 }  // namespace railpem::app

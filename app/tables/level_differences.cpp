@@ -21,10 +21,10 @@ std::optional<std::vector<double>> band_differences(const ResponseSpectra& first
                                                     const spectra::ThirdOctaveBand& band) {
     std::vector<double> differences;
     for (std::size_t response = 0; response < first.psd.size(); ++response) {
-        const auto one =
-            spectra::mean_square_between(first.frequency_hz, first.psd[response], band.low_hz, band.high_hz);
-        const auto two =
-            spectra::mean_square_between(second.frequency_hz, second.psd[response], band.low_hz, band.high_hz);
+        const auto one = spectra::mean_square_between(first.integrated_hz(), first.integrated_psd(response),
+                                                      band.low_hz, band.high_hz);
+        const auto two = spectra::mean_square_between(second.integrated_hz(), second.integrated_psd(response),
+                                                      band.low_hz, band.high_hz);
         if (!one || !two || (*one == 0.0 && *two == 0.0)) return std::nullopt;
         differences.push_back(10.0 * std::log10(*two / *one));
     }
@@ -62,7 +62,8 @@ Json speed_summary(const LevelDifferences& speed) {
     return {{"speed_1_m_per_s", speed.speed_1_m_per_s},
             {"speed_2_m_per_s", speed.speed_2_m_per_s},
             {"acceleration", std::move(accelerations)},
-            {"force", std::move(forces)}};
+            {"force", std::move(forces)},
+            {"warnings", speed.warnings}};
 }
 
 }  // namespace
@@ -70,9 +71,11 @@ Json speed_summary(const LevelDifferences& speed) {
 LevelDifferences level_differences(const ResponseSpectra& first, const ResponseSpectra& second) {
     LevelDifferences result{.speed_1_m_per_s = first.speed_m_per_s, .speed_2_m_per_s = second.speed_m_per_s};
     result.difference_db.resize(first.psd.size());
+    for (const std::string& warning : first.warnings) result.warnings.push_back("case 1: " + warning);
+    for (const std::string& warning : second.warnings) result.warnings.push_back("case 2: " + warning);
     for (std::size_t response = 0; response < first.psd.size(); ++response) {
-        result.rms_1.push_back(spectra::root_mean_square(first.frequency_hz, first.psd[response]));
-        result.rms_2.push_back(spectra::root_mean_square(second.frequency_hz, second.psd[response]));
+        result.rms_1.push_back(spectra::root_mean_square(first.integrated_hz(), first.integrated_psd(response)));
+        result.rms_2.push_back(spectra::root_mean_square(second.integrated_hz(), second.integrated_psd(response)));
     }
     for (const spectra::ThirdOctaveBand& band :
          spectra::third_octave_bands(first.frequency_hz.front(), first.frequency_hz.back())) {

@@ -17,6 +17,7 @@ struct LevelDifferences {
     std::vector<double> centre_hz;  ///< nominal centres of the bands that the lines of both cases cover
     std::vector<std::vector<double>> difference_db;  ///< [response of pem::response_names()][band]
     std::vector<double> rms_1, rms_2;                ///< [response], over all lines of its case; m/s² or N
+    std::vector<std::string> warnings;               ///< of both cases
 };
 
 /// A band in which a response is at rest in both cases has no difference and is left out.

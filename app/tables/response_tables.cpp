@@ -1,15 +1,21 @@
 #include "app/tables/response_tables.hpp"
 
+#include <limits>
+
 #include "pem/response_names.hpp"
 #include "spectra/third_octaves.hpp"
 
 namespace railpem::app {
 
-ResponseSpectra response_spectra(const pem::Solution& solution) {
-    ResponseSpectra spectra{
-        .speed_m_per_s = solution.speed_m_per_s, .frequency_hz = solution.frequency_hz, .warnings = solution.warnings};
+ResponseSpectra response_spectra(pem::JudgedCase judged) {
+    ResponseSpectra spectra{.speed_m_per_s = judged.solution.speed_m_per_s,
+                            .frequency_hz = judged.solution.frequency_hz,
+                            .fine_frequency_hz = std::move(judged.integrated_hz),
+                            .fine_psd = std::move(judged.integrated_psd),
+                            .judgement = std::move(judged.judgement),
+                            .warnings = judged.solution.warnings};
     for (std::size_t response = 0; response < pem::response_names().size(); ++response)
-        spectra.psd.push_back(pem::response_psd(solution, response));
+        spectra.psd.push_back(pem::response_psd(judged.solution, response));
     return spectra;
 }
 
@@ -23,6 +29,8 @@ std::vector<std::string> psd_column_names() {
 }
 
 namespace {
+
+constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();  ///< an empty field
 
 /// Tables of several speeds one below the other, with a first column that says which.
 NumberTable stacked(const std::vector<NumberTable>& tables, const std::vector<ResponseSpectra>& speeds) {
@@ -64,9 +72,9 @@ NumberTable bands_table(const std::vector<ResponseSpectra>& speeds) {
             table.columns.emplace_back();
             table.columns.front().clear();
             for (const spectra::ThirdOctaveLevel& level :
-                 spectra::third_octave_levels(speed.frequency_hz, speed.psd[response])) {
+                 spectra::third_octave_levels(speed.integrated_hz(), speed.integrated_psd(response))) {
                 table.columns.front().push_back(level.band.nominal_hz);
-                table.columns.back().push_back(level.level_db);
+                table.columns.back().push_back(level.mean_square > 0.0 ? level.level_db : kNothing);
             }
         }
         tables.push_back(std::move(table));

@@ -24,9 +24,10 @@ std::string failure_of(const fs::path& file) {
     throw OutputError(failure_of(file));
 }
 
-void write_csv_file(const fs::path& file, const simulate::Recording& recording) {
+void write_csv_file(const fs::path& file, const simulate::Recording& recording, const Provenance* provenance) {
     std::ofstream out(file, std::ios::binary);
     simulate::write_csv(out, recording);
+    if (provenance) out << stamped(".csv", "", *provenance);
     if (!out.flush()) fail(file);
 }
 
@@ -78,6 +79,7 @@ void write_hdf5_file(const fs::path& file, const simulate::Recording& recording)
             failure);
         if (H5Awrite(rate.id, H5T_NATIVE_DOUBLE, &recording.sampling_rate_hz) < 0) fail(file);
     }
+    write_hdf5_stamp(root.id, provenance_line(program_provenance()), failure);
     for (const simulate::Channel& channel : recording.channels)
         write_dataset(root.id, file, channel.name, channel.acceleration_m_per_s2);
     if (!recording.speed_channel_m_per_s.empty())
@@ -87,8 +89,16 @@ void write_hdf5_file(const fs::path& file, const simulate::Recording& recording)
 
 }  // namespace
 
+std::vector<std::string> recording_files(RecordingFormat format) {
+    std::vector<std::string> names{"recording.toml", "recording.csv"};
+    if (format == RecordingFormat::mat) names.push_back("recording.mat");
+    if (format == RecordingFormat::hdf5) names.push_back("recording.h5");
+    return names;
+}
+
 void write_simulated_recording(OutputFolder& folder, const simulate::Recording& recording, RecordingFormat format) {
-    folder.write_by("recording.csv", [&](const fs::path& file) { write_csv_file(file, recording); });
+    folder.write_by("recording.csv",
+                    [&](const fs::path& file) { write_csv_file(file, recording, folder.provenance()); });
     std::string data = "recording.csv";
     if (format == RecordingFormat::mat) {
         data = "recording.mat";

@@ -16,12 +16,14 @@ using SweepValues = std::function<std::vector<double>(std::size_t first, std::si
 double sweep_csv_bytes(const pem::SweepPlan& plan);
 
 /// The long table as CSV: case, the varied keys, (speed_m_per_s with several speeds), quantity, response, frequency_hz
-/// (empty for whole spectra), value. Written block by block under a temporary name and renamed at the end. Throws
+/// (empty for whole spectra), value; at its end `stamp`, a comment line or nothing. Written block by block. Throws
 /// OutputError.
-void write_sweep_csv(const std::filesystem::path& file, const pem::SweepPlan& plan, const SweepValues& values);
+void write_sweep_csv(const std::filesystem::path& file, const pem::SweepPlan& plan, const SweepValues& values,
+                     const std::string& stamp = "");
 
 /// The same columns as one-dimensional HDF5 data sets of equal length (texts of fixed length, frequency NaN for whole
-/// spectra), chunked and deflated.
-void write_sweep_hdf5(const std::filesystem::path& file, const pem::SweepPlan& plan, const SweepValues& values);
+/// spectra), chunked and deflated; `stamp` is the attribute "provenance" of the file.
+void write_sweep_hdf5(const std::filesystem::path& file, const pem::SweepPlan& plan, const SweepValues& values,
+                      const std::string& stamp = "");
 
 }  // namespace railpem::app

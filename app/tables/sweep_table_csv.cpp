@@ -15,6 +15,7 @@ namespace railpem::app {
 namespace {
 
 void append_number(std::string& text, double value) {
+    if (!std::isfinite(value)) return;  // an empty field
     char buffer[32];
     text.append(buffer, std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, kDigits).ptr);
 }
@@ -30,7 +31,7 @@ std::vector<std::string> row_labels(const pem::SweepPlan& plan) {
             label += ',';
         }
         label += row.quantity + "," + row.response + ",";
-        if (!std::isnan(row.frequency_hz)) append_number(label, row.frequency_hz);
+        append_number(label, row.frequency_hz);
         labels.push_back(label + ",");
     }
     return labels;
@@ -52,18 +53,16 @@ std::string header(const pem::SweepPlan& plan) {
     return text + ",quantity,response,frequency_hz,value\n";
 }
 
-/// A file under a temporary name that vanishes unless it is finished.
-class Temporary {
+/// A file that says when not all of it arrives.
+class TableFile {
   public:
-    explicit Temporary(const std::filesystem::path& final_name)
-        : final_(final_name), path_(final_name.string() + ".writing") {
-        file_ = std::fopen(path_.c_str(), "wb");
+    explicit TableFile(const std::filesystem::path& path) : path_(path), file_(std::fopen(path.c_str(), "wb")) {
         if (!file_) fail();
     }
-    ~Temporary() {
+    TableFile(const TableFile&) = delete;
+    TableFile& operator=(const TableFile&) = delete;
+    ~TableFile() {
         if (file_) std::fclose(file_);
-        std::error_code ignored;
-        if (!done_) std::filesystem::remove(path_, ignored);
     }
     void write(const std::string& text) {
         if (std::fwrite(text.data(), 1, text.size(), file_) != text.size()) fail();
@@ -72,15 +71,12 @@ class Temporary {
         std::FILE* file = file_;
         file_ = nullptr;
         if (std::fclose(file) != 0) fail();
-        std::filesystem::rename(path_, final_);
-        done_ = true;
     }
 
   private:
-    [[noreturn]] void fail() const { throw OutputError(fmt::format("{}: {}", final_.string(), std::strerror(errno))); }
-    std::filesystem::path final_, path_;
+    [[noreturn]] void fail() const { throw OutputError(fmt::format("{}: {}", path_.string(), std::strerror(errno))); }
+    std::filesystem::path path_;
     std::FILE* file_ = nullptr;
-    bool done_ = false;
 };
 
 }  // namespace
@@ -92,10 +88,11 @@ double sweep_csv_bytes(const pem::SweepPlan& plan) {
     return bytes * static_cast<double>(pem::sweep_size(plan));
 }
 
-void write_sweep_csv(const std::filesystem::path& file, const pem::SweepPlan& plan, const SweepValues& values) {
+void write_sweep_csv(const std::filesystem::path& file, const pem::SweepPlan& plan, const SweepValues& values,
+                     const std::string& stamp) {
     const std::vector<std::string> rows = row_labels(plan);
     const std::size_t cases = pem::sweep_size(plan);
-    Temporary output(file);
+    TableFile output(file);
     output.write(header(plan));
     for (std::size_t first = 0; first < cases; first += kCasesPerBlock) {
         const std::size_t count = std::min(kCasesPerBlock, cases - first);
@@ -112,6 +109,7 @@ void write_sweep_csv(const std::filesystem::path& file, const pem::SweepPlan& pl
             output.write(text);
         }
     }
+    output.write(stamp);
     output.finish();
 }
 

@@ -53,15 +53,15 @@ void write_texts(hid_t file, const std::string& name, const std::vector<std::str
 
 }  // namespace
 
-void write_sweep_hdf5(const std::filesystem::path& path, const pem::SweepPlan& plan, const SweepValues& values) {
+void write_sweep_hdf5(const std::filesystem::path& path, const pem::SweepPlan& plan, const SweepValues& values,
+                      const std::string& stamp) {
     const std::vector<pem::SweepRow> rows = pem::sweep_rows(plan);
     const std::size_t per_case = rows.size(), cases = pem::sweep_size(plan);
     const hsize_t total = cases * per_case, block_rows = kCasesPerBlock * per_case;
-    const std::filesystem::path writing = path.string() + ".writing";
     {
         H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // failures are reported as exceptions
-        const Hdf5Handle file(H5Fcreate(writing.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose,
-                              kNotWritten);
+        const Hdf5Handle file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose, kNotWritten);
+        if (!stamp.empty()) write_hdf5_stamp(file.id, stamp, kNotWritten);
         std::vector<double> column;
         const auto per_row = [&](const std::string& name,
                                  const std::function<double(std::size_t index, std::size_t row)>& value) {
@@ -93,7 +93,6 @@ void write_sweep_hdf5(const std::filesystem::path& path, const pem::SweepPlan& p
                          return column.data();
                      });
     }
-    std::filesystem::rename(writing, path);
 }
 
 }  // namespace railpem::app

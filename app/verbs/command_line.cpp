@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <Eigen/Core>
 #include <csignal>
 #include <cstdio>
 #include <exception>
@@ -13,6 +14,7 @@
 #include "app/input_error.hpp"
 #include "app/memory_shortage.hpp"
 #include "app/program_version.hpp"
+#include "app/provenance.hpp"
 #include "app/schema/nearest_key.hpp"
 #include "app/schema/schema.hpp"
 #include "app/verbs/verbs.hpp"
@@ -81,7 +83,7 @@ int run_verb(int argc, const char* const* argv) {
     CLI::App program("Vehicle-track dynamics: random vibration of a car on a track, and what a simulation left out.",
                      "railpem");
     Run run;
-    program.set_version_flag("--version", "railpem " + program_version());
+    program.set_version_flag("--version", "railpem " + program_version_with_commit());
     program.footer(
         "railpem VERB --help says what a verb takes, with an example.\n"
         "Exit status: 0 done, 1 failed (memory, disk), 2 an input that was refused; the message says where and what is "
@@ -115,6 +117,8 @@ int run_program(int argc, const char* const* argv) {
     // A file or a reader that can take no more is reported, not a reason to vanish.
     std::signal(SIGXFSZ, SIG_IGN);
     std::signal(SIGPIPE, SIG_IGN);
+    remember_command(argc, argv);
+    Eigen::setNbThreads(1);  // our own team is the only one: a second beside it spins for the same cores
     try {
         return printed(run_verb(argc, argv));
     } catch (const InputError& error) {

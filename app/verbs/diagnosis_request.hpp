@@ -12,6 +12,7 @@ struct DiagnosisRequest {
     std::vector<std::string> recordings;  ///< folders or descriptions
     std::vector<std::string> without;     ///< effects that the catalogue shall not have
     std::vector<std::string> set;         ///< as given to --set, for the command; the case has them already
+    std::vector<std::string> doubts;      ///< what is hardly believed of the case, for the report
     double window_s = 4.0, held_out = 0.25;
     double effort_s = 75.0;  ///< NamingOptions::effort_s
     int threads = 0, most_effects = 3;

@@ -25,7 +25,7 @@ struct InspectRequest {
     std::vector<std::string> recordings;
     std::vector<std::string> options;
     std::string case_path, html, folder;
-    bool json = false;
+    bool json = false, force = false;
 };
 
 /// All descriptions, before any data are opened. With --out files are called after them, so the names must differ.
@@ -89,8 +89,13 @@ int inspect(const InspectRequest& request) {
     check_outputs(request);
     const std::vector<RecordingFile> files = read_recordings(request);
     std::optional<OutputFolder> folder, page;
-    if (!request.folder.empty()) folder.emplace(request.folder);
-    if (!request.html.empty()) page.emplace(fs::path(request.html).parent_path(), "--html");
+    const Writing writing = results_of_run(request.force);
+    if (!request.folder.empty()) folder.emplace(request.folder, "--out", writing);
+    if (!request.html.empty()) page.emplace(fs::path(request.html).parent_path(), "--html", writing);
+    if (page) page->claim(fs::path(request.html).filename().string());
+    for (const RecordingFile& file : files)
+        for (const char* ending : {".inspection.html", ".inspection.json"})
+            if (folder) folder->claim(file.name + ending);
     const std::vector<recordings::InspectionReport> reports = inspect_all(request, files);
     for (std::size_t i = 0; i < reports.size() && folder; ++i) {
         folder->write(files[i].name + ".inspection.html", recordings::to_html(reports[i]));
@@ -128,6 +133,7 @@ void add_inspect(CLI::App& program, Run& run) {
     verb->add_option("--set", request->options, "override a key of the case: key=value")
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
+    verb->add_flag("--force", request->force, kForceSays);
     verb->callback([request, &run] { run = [request] { return inspect(*request); }; });
 }
 

@@ -9,7 +9,7 @@
 
 #include "app/schema/read_table.hpp"
 #include "pem/coupling/solution.hpp"
-#include "pem/coupling/solve_case.hpp"
+#include "pem/lines/judged_case.hpp"
 #include "pem/response_names.hpp"
 
 namespace railpem::app {
@@ -88,7 +88,7 @@ recordings::InspectionContext inspection_beliefs(const CaseFile& believed, const
     try {
         pem::check(parameters);
         const pem::Solution solution =
-            pem::solve_case(parameters, stated > 0.0 ? stated : parameters.running.speeds_m_per_s.front());
+            pem::solve_judged(parameters, stated > 0.0 ? stated : parameters.running.speeds_m_per_s.front()).solution;
         for (const ChannelDescription& channel : recording.description.channels)
             if (auto predicted = predict(solution, channel, parameters))
                 context.predicted.push_back(std::move(*predicted));

@@ -37,7 +37,7 @@ struct ProveRequest {
     std::uint64_t seed = 1;
     double seconds = 60.0;
     int threads = 0;
-    bool quick = false, keep = false;
+    bool quick = false, keep = false, force = false;
 };
 
 ProofSettings settings_of(const ProveRequest& request) {
@@ -114,7 +114,8 @@ void run_open_trials(const std::vector<TrialTruth>& truths, const diagnosis::Bel
     run_trials(truths, settings, folder, run, progress, InterruptGuard::asked, [&] { return dispenser->next(); });
 }
 
-void write_score(const std::vector<TrialTruth>& truths, const ProofFolder& folder, const std::string& settings) {
+void write_score(const std::vector<TrialTruth>& truths, const ProofFolder& folder, const std::string& settings,
+                 bool force) {
     std::vector<TrialTruth> finished;
     std::vector<TrialResult> results;
     for (const TrialTruth& truth : truths)
@@ -124,7 +125,7 @@ void write_score(const std::vector<TrialTruth>& truths, const ProofFolder& folde
         }
     const std::vector<ScoredTrial> trials = judge_all(finished, results);
     const ProofScore score = score_of(trials);
-    OutputFolder output(folder.path());
+    OutputFolder output(folder.path(), "--out", results_of_run(force));
     output.write("trials.csv", trials_csv(trials));
     output.write("score.json", score_json(score, trials, settings, truths.size()));
     output.commit();
@@ -148,7 +149,7 @@ int prove(const ProveRequest& request) {
     });
     run_open_trials(truths, believed, settings, *folder, *crew);
     crew->meet();
-    if (settings.shard.count == 1 && crew->rank() == 0) write_score(truths, *folder, text);
+    if (settings.shard.count == 1 && crew->rank() == 0) write_score(truths, *folder, text, request.force);
     return 0;
 }
 
@@ -189,6 +190,7 @@ void add_prove(CLI::App& program, Run& run) {
         ->type_name("N");
     verb->add_flag("--quick", request->quick, "one speed per trial");
     verb->add_flag("--keep", request->keep, "keep the recordings: DIR/trials/<trial>/record_<k>");
+    verb->add_flag("--force", request->force, kForceSays);
     verb->callback([request, &run] { run = [request] { return prove(*request); }; });
 }
 

@@ -21,6 +21,7 @@ struct ReceptanceRequest {
     double to_hz = 5000.0;
     int lines = 1500;
     int threads = 0;
+    bool force = false;
 };
 
 /// Frequencies whose rail still behaves like a beam: the web of a rail bends above some 5 kHz, and a slip of the
@@ -47,7 +48,7 @@ pem::TrackResponse solve_track(const CaseFile& file, const ReceptanceRequest& re
 int receptance(const ReceptanceRequest& request) {
     check_lines(request);
     const CaseFile file = read_case(request.path, request.options);
-    OutputFolder folder(request.folder);
+    OutputFolder folder(request.folder, "--out", results_of_run(request.force));
     const pem::TrackResponse response = solve_track(file, request);
     folder.write(file.name + ".receptance.csv", csv_text(receptance_table(response)));
     folder.write(file.name + ".decay.csv", csv_text(decay_table(response, file.parameters.track.spacing_m)));
@@ -85,6 +86,7 @@ void add_receptance(CLI::App& program, Run& run) {
     verb->add_option("--set", request->options, "override a key of the case: key=value")
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
+    verb->add_flag("--force", request->force, kForceSays);
     verb->callback([request, &run] { run = [request] { return receptance(*request); }; });
 }
 

@@ -73,9 +73,11 @@ diagnosis::Diagnosis run_diagnosis(const CaseFile& file, const DiagnosisRequest&
 }
 
 void write_diagnosis(OutputFolder& folder, const diagnosis::Diagnosis& result, const DiagnosisRequest& request) {
-    folder.write("diagnosis.json", diagnosis_json(result));
+    folder.write("diagnosis.json", diagnosis_json(result, request.doubts));
     for (const TextFile& table : diagnosis_tables(result)) folder.write(table.name, table.text);
-    folder.write("report.html", diagnosis_report(result, command_of(request, folder.path().string())));
+    folder.write("report.html", diagnosis_report(result, {.command = command_of(request, folder.path().string()),
+                                                          .doubts = request.doubts,
+                                                          .provenance = folder.provenance()}));
     folder.write(kDiagnosedIrregularity, irregularity_text(result.diagnosed_numbers));
     folder.write("diagnosed.toml", diagnosed_case_text(result));
 }

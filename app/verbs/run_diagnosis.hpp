@@ -21,6 +21,9 @@ struct DiagnosisObserver {
 diagnosis::Diagnosis run_diagnosis(const CaseFile& file, const DiagnosisRequest& request,
                                    const DiagnosisObserver& observer, const std::function<void()>& ready);
 
+/// Files that every diagnosis writes, whatever it says.
+inline constexpr const char* kDiagnosisFiles[] = {"diagnosis.json", "report.html", "diagnosed.toml"};
+
 /// Puts diagnosis.json, the tables, the report and the diagnosed case into the folder. Not committed.
 void write_diagnosis(OutputFolder& folder, const diagnosis::Diagnosis& result, const DiagnosisRequest& request);
 

@@ -81,9 +81,15 @@ int simulate_recording(const SimulateRequest& request) {
         fmt::print(stderr, "note: a constant loss factor is no motion in time: {} are marched with a causal law\n",
                    part);
 
-    OutputFolder folder(request.folder);
+    // What is hidden stands in the truth and nowhere else, so that a recording names the program and no command.
+    const Writing results = results_of_run(simulation.force);
+    OutputFolder folder(request.folder, "--out", {results.overwrite, program_provenance});
     std::optional<OutputFolder> truth_folder;
-    if (!request.truth.empty()) truth_folder.emplace(fs::path(request.truth).parent_path(), "--truth");
+    if (!request.truth.empty()) {
+        truth_folder.emplace(fs::path(request.truth).parent_path(), "--truth", results);
+        truth_folder->claim(fs::path(request.truth).filename().string());
+    }
+    for (const std::string& name : recording_files(format_of(request.format))) folder.claim(name);
     const simulate::Recording recording = run_with_bar(file, truth);
     write_simulated_recording(folder, recording, format_of(request.format));
     if (truth_folder) truth_folder->write(fs::path(request.truth).filename().string(), truth_text(truth, recording));
@@ -143,8 +149,10 @@ void add_simulate(CLI::App& program, Run& run) {
     verb->add_flag(
         "--list", request->list,
         "print all effects with their parameters and ranges and the numbers of a world, and do nothing else");
-    verb->add_flag("--force", request->simulation.force,
-                   "let the parameters of effects lie outside their ranges; the truth says so");
+    verb->add_flag(
+        "--force", request->simulation.force,
+        "let the parameters of effects lie outside their ranges, of which the truth tells; and write over files that "
+        "this program did not write, never over an input of the run");
     verb->add_option("--rate", request->simulation.rate_hz, "sampling rate in Hz; 1000 without it")->type_name("HZ");
     verb->add_option("--format", request->format,
                      "csv, or also mat or hdf5: full precision, and what recording.toml names")

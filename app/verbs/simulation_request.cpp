@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/input_error.hpp"
+#include "app/run_inputs.hpp"
 #include "app/schema/hide_option.hpp"
 #include "app/schema/read_table.hpp"
 #include "app/schema/recording_schema.hpp"
@@ -22,6 +23,7 @@ constexpr double kMostRate_hz = 100000.0;  ///< far beyond what a model of vehic
 constexpr double kHighestSpeed_m_per_s = 200.0;
 
 simulate::MeasuredProfile read_profile(const std::string& path) {
+    note_input(path);
     try {
         const recordings::DataTable table = recordings::read_csv(path, {"position_m", "height_m"});
         for (const std::vector<double>& column : table.columns)
@@ -40,6 +42,7 @@ simulate::MeasuredProfile read_profile(const std::string& path) {
 /// Speeds against time, m/s; a train may stop, but it has to have moved.
 simulate::SpeedTable read_speed_profile(const std::string& path) {
     const std::string option = "--speed-profile " + path;
+    note_input(path);
     try {
         recordings::DataTable table = recordings::read_csv(path, {"time_s", "speed_m_per_s"});
         const std::vector<double>&time = table.columns[0], &speed = table.columns[1];

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "app/output_folder.hpp"
+#include "app/plausibility/implausible_case.hpp"
 #include "app/schema/case_file.hpp"
 #include "app/tables/response_summary.hpp"
 #include "app/tables/response_tables.hpp"
@@ -20,7 +21,7 @@ struct SolveRequest {
     std::vector<std::string> options;
     std::string folder;
     int threads = 0;
-    bool bands = false;
+    bool bands = false, strict = false, force = false;
 };
 
 /// All cases, before anything is computed or written. Outputs are called after the files, so the names must differ.
@@ -38,14 +39,39 @@ std::vector<CaseFile> read_cases(const SolveRequest& request) {
     return cases;
 }
 
+/// What the summary says, too, where nobody looks into it.
+void say_warnings(const CaseFile& file, const ResponseSpectra& speed) {
+    for (const std::string& warning : pem::warnings_beside_validity(file.parameters, speed.warnings))
+        fmt::print(stderr, "{}: at {:g} m/s: warning: {}\n", file.name, speed.speed_m_per_s, warning);
+}
+
+void claim_results(const OutputFolder& folder, const std::vector<CaseFile>& cases, bool bands) {
+    for (const CaseFile& file : cases) {
+        folder.claim(file.name + ".psd.csv");
+        folder.claim(file.name + ".summary.json");
+        if (bands) folder.claim(file.name + ".bands.csv");
+    }
+}
+
 int solve(const SolveRequest& request) {
     const std::vector<CaseFile> cases = read_cases(request);
-    OutputFolder folder(request.folder);
+    OutputFolder folder(request.folder, "--out", results_of_run(request.force));
+    claim_results(folder, cases, request.bands);
     for (const CaseFile& file : cases) {
+        const CaseFigures figures = case_figures(file);
+        std::vector<std::string> doubts = plausibility_warnings(file, figures);
+        say_or_refuse(doubts, request.strict);
         const std::vector<ResponseSpectra> speeds = solve_speeds(file, request.threads);
+        if (doubts.empty()) {
+            doubts = response_warnings(file, speeds);
+            say_or_refuse(doubts, request.strict);
+        }
         folder.write(file.name + ".psd.csv", csv_text(psd_table(speeds)));
-        folder.write(file.name + ".summary.json", summary_text(file.name, file.parameters, speeds));
+        folder.write(file.name + ".summary.json", summary_text(file, doubts, speeds));
         if (request.bands) folder.write(file.name + ".bands.csv", csv_text(bands_table(speeds)));
+        for (const ResponseSpectra& speed : speeds) say_warnings(file, speed);
+        fmt::print("{}{}{}\n{}{}", file.name, file.parameters.title.empty() ? "" : ": ", file.parameters.title,
+                   figures_text(figures), levels_text(speeds));
     }
     folder.commit();
     return 0;
@@ -67,9 +93,11 @@ void add_solve(CLI::App& program, Run& run) {
     verb->add_option("--threads", request->threads, "threads; without it as many as the machine has")
         ->check(CLI::Range(1, 1024))
         ->type_name("N");
+    verb->add_flag("--strict", request->strict, "refuse a case with values that are hardly believed");
     verb->add_option("--set", request->options, "override a key of every case: key=value")
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
+    verb->add_flag("--force", request->force, kForceSays);
     verb->callback([request, &run] { run = [request] { return solve(*request); }; });
 }
 

@@ -2,7 +2,7 @@
 
 #include "app/progress_bar.hpp"
 #include "app/schema/read_table.hpp"
-#include "pem/coupling/solve_case.hpp"
+#include "pem/lines/judged_case.hpp"
 
 namespace railpem::app {
 
@@ -14,7 +14,7 @@ std::vector<ResponseSpectra> solve_speeds(const CaseFile& file, int threads) {
         const auto progress = [&](std::size_t done, std::size_t all) { bar.show(i * all + done, speeds.size() * all); };
         try {
             spectra.push_back(response_spectra(
-                pem::solve_case(file.parameters, speeds[i], {.threads = threads, .progress = progress})));
+                pem::solve_judged(file.parameters, speeds[i], {.threads = threads, .progress = progress})));
         } catch (const parameters::ParameterError& error) {
             throw refused(file.document, error);
         }

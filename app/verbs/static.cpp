@@ -16,6 +16,7 @@ struct StaticRequest {
     std::string path;
     std::vector<std::string> options;
     std::string folder;
+    bool force = false;
 };
 
 track::StaticEquilibrium equilibrium_of(const CaseFile& file) {
@@ -28,7 +29,7 @@ track::StaticEquilibrium equilibrium_of(const CaseFile& file) {
 
 int solve_static(const StaticRequest& request) {
     const CaseFile file = read_case(request.path, request.options);
-    OutputFolder folder(request.folder);
+    OutputFolder folder(request.folder, "--out", results_of_run(request.force));
     const track::StaticEquilibrium equilibrium = equilibrium_of(file);
     folder.write(file.name + ".static.csv", csv_text(static_table(equilibrium)));
     folder.commit();
@@ -51,6 +52,7 @@ void add_static(CLI::App& program, Run& run) {
     verb->add_option("--set", request->options, "override a key of the case: key=value")
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
+    verb->add_flag("--force", request->force, kForceSays);
     verb->callback([request, &run] { run = [request] { return solve_static(*request); }; });
 }
 

@@ -8,11 +8,13 @@
 #include <optional>
 
 #include "app/output_folder.hpp"
+#include "app/plausibility/implausible_case.hpp"
 #include "app/program_version.hpp"
 #include "app/progress_bar.hpp"
 #include "app/schema/case_file.hpp"
 #include "app/tables/sweep_progress_file.hpp"
 #include "app/tables/sweep_table.hpp"
+#include "app/tables/sweep_warnings.hpp"
 #include "app/verbs/verbs.hpp"
 #include "ranks/join_crew.hpp"
 
@@ -28,11 +30,12 @@ struct SweepRequest {
     std::string folder;
     std::string format;
     int threads = 0;
+    bool force = false;
 };
 
 /// The text that tells two sweeps apart: the case with its overrides, the design, what is kept, the program.
 std::string identity(const SweepFile& sweep) {
-    std::string text = program_version() + "\n" + write_case(sweep.plan.base);
+    std::string text = program_version_with_commit() + "\n" + write_case(sweep.plan.base);
     text += fmt::format("{} {} {}\n", static_cast<int>(sweep.plan.design), sweep.plan.samples, sweep.plan.seed);
     for (const pem::SweepAxis& axis : sweep.plan.axes) {
         text += fmt::format("{} {} {} {}", axis.key, axis.low, axis.high, axis.logarithmic);
@@ -51,7 +54,8 @@ bool as_hdf5(const SweepRequest& request, const SweepFile& sweep) {
 }
 
 /// Results of the cases that this process is given.
-void run_cases(const SweepRequest& request, const SweepFile& file, ranks::Crew& crew, SweepProgressFile& results) {
+void run_cases(const SweepRequest& request, const SweepFile& file, ranks::Crew& crew, SweepProgressFile& results,
+               SweepWarnings& warnings) {
     const std::size_t cases = pem::sweep_size(file.plan);
     const std::unique_ptr<ranks::Dispenser> dispenser = crew.dispense(cases);
     ProgressBar bar(file.name);
@@ -67,16 +71,42 @@ void run_cases(const SweepRequest& request, const SweepFile& file, ranks::Crew& 
     pem::run_sweep(file.plan, request.threads,
                    {.finished = [&](std::size_t index) { return results.finished(index); },
                     .done = keep,
+                    .warned =
+                        [&](std::size_t index, double speed, const std::vector<std::string>& texts) {
+                            for (const std::string& text : texts) warnings.add({index, speed, text});
+                        },
                     .next = [&] { return dispenser->next(); }});
 }
 
-void write_sweep_table(const SweepRequest& request, const SweepFile& file, const SweepProgressFile& results) {
-    const std::filesystem::path folder = request.folder;
+std::string table_name(const SweepRequest& request, const SweepFile& file) {
+    return file.name + (as_hdf5(request, file) ? ".h5" : ".csv");
+}
+
+void write_sweep_table(const SweepRequest& request, const SweepFile& file, const SweepProgressFile& results,
+                       const std::vector<SweepWarning>& warnings) {
+    OutputFolder folder(request.folder, "--out", results_of_run(request.force));
     const SweepValues read = [&](std::size_t first, std::size_t count) { return results.read(first, count); };
-    if (as_hdf5(request, file))
-        write_sweep_hdf5(folder / (file.name + ".h5"), file.plan, read);
+    folder.write_by(table_name(request, file), [&](const std::filesystem::path& path) {
+        if (as_hdf5(request, file))
+            write_sweep_hdf5(path, file.plan, read, provenance_line(*folder.provenance()));
+        else
+            write_sweep_csv(path, file.plan, read, stamped(".csv", "", *folder.provenance()));
+    });
+    const std::string warned = file.name + ".warnings.csv";
+    std::error_code ignored;
+    if (warnings.empty())
+        std::filesystem::remove(folder.path() / warned, ignored);  // of the run before
     else
-        write_sweep_csv(folder / (file.name + ".csv"), file.plan, read);
+        folder.write(warned, warnings_csv(warnings));
+    folder.commit();
+}
+
+/// Refuses what cannot be written, or written over, before anything runs.
+void check_folder(const SweepRequest& request, const SweepFile& file) {
+    OutputFolder folder(request.folder, "--out", results_of_run(request.force));
+    folder.claim(table_name(request, file));
+    folder.claim(file.name + ".warnings.csv");
+    folder.commit();
 }
 
 int sweep(const SweepRequest& request) {
@@ -85,18 +115,22 @@ int sweep(const SweepRequest& request) {
     std::optional<SweepProgressFile> results;
     crew->first_then_others([&] {
         file = read_sweep(request.sweep, request.options);
-        const std::filesystem::path folder = request.folder;
-        OutputFolder(folder).commit();  // refuses what cannot be written
-        results.emplace(folder / (file->name + ".unfinished"), identity(*file), pem::sweep_size(file->plan),
-                        pem::sweep_rows(file->plan).size(), crew->rank());
+        check_folder(request, *file);
+        if (crew->rank() == 0) say_or_refuse(sweep_warnings(request.sweep, file->plan), false);
+        results.emplace(std::filesystem::path(request.folder) / (file->name + ".unfinished"), identity(*file),
+                        pem::sweep_size(file->plan), pem::sweep_rows(file->plan).size(), crew->rank());
     });
-    run_cases(request, *file, *crew, *results);
+    SweepWarnings warnings(std::filesystem::path(request.folder) / (file->name + ".unfinished"), crew->rank());
+    run_cases(request, *file, *crew, *results, warnings);
     results->flush();
     crew->meet();
     if (crew->rank() != 0) return 0;
     results->gather();
-    write_sweep_table(request, *file, *results);
+    const std::vector<SweepWarning> found = warnings.gather();
+    write_sweep_table(request, *file, *results, found);
     results->remove();
+    warnings.remove();
+    fmt::print(stderr, "{}", warnings_text(found, pem::sweep_size(file->plan)));
     return 0;
 }
 
@@ -120,6 +154,7 @@ void add_sweep(CLI::App& program, Run& run) {
     verb->add_option("--set", request->options, "override a key of the case: key=value")
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
+    verb->add_flag("--force", request->force, kForceSays);
     verb->callback([request, &run] { run = [request] { return sweep(*request); }; });
 }
 

@@ -6,12 +6,10 @@
 #include <memory>
 #include <vector>
 
-#include "app/schema/case_file.hpp"
-#include "app/schema/read_table.hpp"
+#include "app/plausibility/implausible_case.hpp"
 #include "app/schema/recording_schema.hpp"
 #include "app/schema/sweep_schema.hpp"
 #include "app/verbs/verbs.hpp"
-#include "pem/rail/case_equilibrium.hpp"
 #include "recordings/files/visible_text.hpp"
 #include "recordings/loading/load_recording.hpp"
 
@@ -32,7 +30,7 @@ int valid(const std::string& path, const std::string& kind, const std::string& t
 /// A recording is right when its data are: all of them are read, a section at a time. What its data file says against
 /// the description does not make it invalid, and is told.
 int validate_recording(const std::string& path) {
-    const RecordingFile file = read_recording(path);
+    const RecordingFile file = read_recording(path, Refuse::all);
     std::vector<recordings::Fault> contradictions;
     constexpr std::size_t kSection = 600000;  // samples per channel held at once
     reading_data(file, [&] {
@@ -48,31 +46,46 @@ int validate_recording(const std::string& path) {
     return valid(path, "recording", file.description.title);
 }
 
-int validate(const std::string& path) {
+int validate_case(const std::string& path, bool strict) {
+    const CaseFile file = read_case(path, {}, Refuse::all);
+    const CaseFigures figures = case_figures(file);  // a pad that carries nothing shows there and not before
+    say_or_refuse(plausibility_warnings(file, figures), strict);
+    for (const std::string& warning : figures.warnings) fmt::print(stderr, "warning: {}: {}\n", path, warning);
+    valid(path, "case", file.parameters.title);
+    fmt::print("{}", figures_text(figures));
+    return 0;
+}
+
+/// The case that varies, and the values that it takes.
+int validate_sweep(const std::string& path, bool strict) {
+    const SweepFile file = read_sweep(path, {}, Refuse::all);
+    say_or_refuse(sweep_warnings(path, file.plan), strict);
+    return valid(path, "sweep", file.description.title);
+}
+
+int validate(const std::string& path, bool strict) {
     std::error_code status;
     if (std::filesystem::is_directory(path, status)) return validate_recording(path);
     const Document document = read_document(path);
     if (is_recording(document)) return validate_recording(path);
-    if (is_sweep(document)) return valid(path, "sweep", read_sweep(path, {}).description.title);
-    const CaseFile file = read_case(path, {});
-    try {
-        pem::case_equilibrium(file.parameters);  // a pad that carries nothing shows there and not before
-    } catch (const parameters::ParameterError& error) {
-        throw refused(file.document, error);
-    }
-    return valid(path, "case", file.parameters.title);
+    return is_sweep(document) ? validate_sweep(path, strict) : validate_case(path, strict);
 }
 
 }  // namespace
 
 void add_validate(CLI::App& program, Run& run) {
     const auto path = std::make_shared<std::string>();
-    CLI::App* verb = program.add_subcommand("validate", "say whether an input file is right, or where it is wrong");
+    const auto strict = std::make_shared<bool>(false);
+    CLI::App* verb = program.add_subcommand(
+        "validate",
+        "say whether an input file is right, or everything that is wrong with it; of a case also what "
+        "follows from it: natural frequencies, loads, the band that is excited");
     verb->footer(
         "Example:\n"
         "  railpem validate case.toml");
     verb->add_option("FILE", *path, "a case, a sweep, or a recording (its description or its folder)")->required();
-    verb->callback([path, &run] { run = [path] { return validate(*path); }; });
+    verb->add_flag("--strict", *strict, "refuse values that are allowed and hardly believed, too");
+    verb->callback([path, strict, &run] { run = [path, strict] { return validate(*path, *strict); }; });
 }
 
 }  // namespace railpem::app

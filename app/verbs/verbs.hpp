@@ -12,6 +12,10 @@ namespace railpem::app {
 /// What the chosen verb does once its arguments are read; returns the exit status.
 using Run = std::function<int()>;
 
+/// What --force means wherever a verb writes files.
+inline constexpr const char* kForceSays =
+    "write over files that this program did not write; never over an input of the run";
+
 void add_solve(CLI::App& program, Run& run);
 void add_sweep(CLI::App& program, Run& run);
 void add_static(CLI::App& program, Run& run);

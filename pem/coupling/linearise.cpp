@@ -19,7 +19,7 @@ constexpr double kRounding = 1e-8;  ///< below it what does not get smaller is r
 /// change from which on steps are mixed; friction that blocks its stage runs away to where nothing moves, and has to be
 /// let
 constexpr double kNear = 0.3;
-constexpr int kMostLines = 512;
+constexpr int kLines = 512;  ///< whatever the lines of the case: what moves does not depend on where one looks
 constexpr double kSmallestVelocity = 1e-9;  ///< m/s; keeps the equivalent damping finite when nothing moves
 
 /// Mean squares that the linearisation needs. The contact force is that which compresses the contact without its factor
@@ -44,9 +44,7 @@ struct Lines {
 };
 
 Lines lines_of(const FrequencyParameters& grid) {
-    const int count =
-        std::max(2, std::min(kMostLines, static_cast<int>((grid.to_hz - grid.from_hz) / grid.step_hz) + 1));
-    return {count, (grid.to_hz - grid.from_hz) / (count - 1)};
+    return {kLines, (grid.to_hz - grid.from_hz) / (kLines - 1)};
 }
 
 std::vector<UnchangedGroup> unchanged_groups(const CaseParameters& parameters, const std::vector<Source>& sources,

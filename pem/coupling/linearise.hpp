@@ -18,7 +18,7 @@ bool is_nonlinear(const CaseParameters& parameters);
 /// - contact (δ/G)^{3/2}: K = ∂E[P]/∂δ̄ with E[P] = P0 and δ Gaussian, opening where δ < 0;
 ///   the share contact.nonlinearity_factor of the change K − K_h is applied.
 /// Iterated with Anderson's mixing until nothing changes by more than 1e-12. Returns without work for a linear case.
-/// `sources` at the speed of the model. The rms values come from at most 512 lines over the case's grid; `rails`: the
+/// `sources` at the speed of the model. The rms values come from 512 lines over the case's band; `rails`: the
 /// rail there, as linearisation_rails() gives it, or solved line by line without.
 Linearisation linearise(const CaseParameters& parameters, const std::vector<Source>& sources, CoupledModel& model,
                         const std::vector<RailGroup>* rails = nullptr);

@@ -7,7 +7,8 @@
 
 namespace railpem::pem {
 
-/// Solves the case at one speed on its own frequency grid. `parameters` must have passed check().
+/// Solves the case at one speed on its own frequency lines, whatever they resolve. `parameters` must have passed
+/// check().
 Solution solve_case(const CaseParameters& parameters, double speed_m_per_s, const SolveOptions& options = {});
 
 }  // namespace railpem::pem

@@ -71,7 +71,9 @@ def run(command, environment=None, before=None, seconds=600, **options):
 
 
 def files_of(folder):
-    return {str(path.relative_to(folder)): path.read_bytes() for path in sorted(folder.rglob("*")) if path.is_file()} if folder.exists() else {}
+    """Contents by name, the folder's own name in them (of the command) left out."""
+    return {str(path.relative_to(folder)): path.read_bytes().replace(str(folder).encode(), b"FOLDER") for path in sorted(folder.rglob("*"))
+            if path.is_file()} if folder.exists() else {}
 
 
 class Faults:
@@ -96,7 +98,7 @@ class Faults:
         """Final names hold whole results; a partial file has another name."""
         for name, content in files_of(folder).items():
             base = pathlib.Path(name).name
-            if base.endswith(".partial") or ".unfinished" in base or base.endswith(".writing"):
+            if base.endswith(".partial") or ".unfinished" in base:
                 continue
             whole = name in self.expected and (base in verb.volatile or content == self.expected[name])
             if not whole and not (earlier and earlier.get(name) == content):
@@ -177,7 +179,7 @@ class Faults:
         folder = self.folder()
         folder.mkdir()
         for name in self.expected:
-            (folder / name).write_text("earlier")
+            (folder / name).write_text("earlier, written by railpem")
         before = files_of(folder)
         def small():
             resource.setrlimit(resource.RLIMIT_FSIZE, (100, 100))

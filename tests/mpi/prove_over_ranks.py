@@ -36,7 +36,7 @@ def found_in(folder):
     for trial in trials.values():
         for key in TIMES:
             trial.pop(key, None)
-    rows = [line for line in (folder / "trials.csv").read_text().splitlines()]
+    rows = [line for line in (folder / "trials.csv").read_text().splitlines() if not line.startswith("#")]
     drop = [rows[0].split(",").index(key) for key in TIMES]
     table = [[cell for column, cell in enumerate(row.split(",")) if column not in drop] for row in rows]
     return trials, table

@@ -35,6 +35,7 @@ Csv read_csv(const fs::path& path) {
     Csv csv;
     std::getline(file, csv.header);
     for (std::string line; std::getline(file, line);) {
+        if (line.starts_with('#')) continue;  // where it comes from
         std::istringstream cells(line);
         csv.rows.emplace_back();
         for (std::string cell; std::getline(cells, cell, ',');)

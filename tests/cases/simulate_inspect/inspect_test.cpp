@@ -37,7 +37,7 @@ void spoil(const Folder& folder, const Change& change) {
     std::string line, text;
     std::getline(in, line);
     text = line + "\n";
-    while (std::getline(in, line)) {
+    while (std::getline(in, line) && !line.starts_with('#')) {
         std::istringstream cells(line);
         std::string cell;
         for (int column = 0; std::getline(cells, cell, ','); ++column)

@@ -98,7 +98,7 @@ TEST(Simulate, TruthSaysAllAndStandsNowhereElse) {
     const std::string samples = folder.read("out/recording.csv");
     EXPECT_EQ(samples.substr(0, samples.find('\n')),
               "time_s,axlebox_1,axlebox_2,axlebox_3,axlebox_4,bogie_1,bogie_2,body_front,body_rear,body_centre");
-    EXPECT_EQ(std::count(samples.begin(), samples.end(), '\n'), 1001);  // 2 s at 500 Hz under a header
+    EXPECT_EQ(std::count(samples.begin(), samples.end(), '\n'), 1002);  // 2 s at 500 Hz between header and comment
 }
 
 TEST(Simulate, ListNamesWhatDiagnoseKnowsAndWhatItDoesNot) {
@@ -175,7 +175,7 @@ double rms_of_column(const std::string& csv, int column) {
     std::getline(lines, line);
     double sum = 0.0;
     int rows = 0;
-    for (; std::getline(lines, line); ++rows) {
+    for (; std::getline(lines, line) && !line.starts_with('#'); ++rows) {
         std::istringstream cells(line);
         for (int i = 0; i <= column; ++i) std::getline(cells, cell, ',');
         sum += std::stod(cell) * std::stod(cell);

@@ -165,7 +165,7 @@ TEST(RefusedCases, EmptyFrequencyGrid) {
                    "case.toml:40:9: frequency.to_hz: the frequency grid is empty\n"
                    "  40 | to_hz = 0.1\n"
                    "     |         ^^^\n"
-                   "allowed: at least frequency.from_hz");
+                   "allowed: greater than frequency.from_hz");
 }
 
 TEST(RefusedCases, FrequencyZero) {
@@ -178,10 +178,52 @@ TEST(RefusedCases, FrequencyZero) {
 
 TEST(RefusedCases, EndlessFrequencyGrid) {
     expect_refused(minimal_case("step_hz = 0.5", "step_hz = 1e-9"),
-                   "case.toml:41:11: frequency.step_hz: more than two million frequency lines\n"
+                   "case.toml:41:11: frequency.step_hz: 9.95e+10 frequency lines are more than two million\n"
                    "  41 | step_hz = 1e-9\n"
                    "     |           ^^^^\n"
-                   "allowed: a larger step");
+                   "allowed: at least 4.98e-05 Hz, or no step_hz");
+}
+
+TEST(RefusedCases, SingleFrequencyLine) {
+    expect_refused(minimal_case("to_hz = 100.0", "to_hz = 0.5"),
+                   "case.toml:40:9: frequency.to_hz: a single frequency line, 0.5 Hz, holds no power: it has no rms\n"
+                   "  40 | to_hz = 0.5\n"
+                   "     |         ^^^\n"
+                   "allowed: greater than frequency.from_hz");
+}
+
+TEST(RefusedCases, StepWiderThanTheBand) {
+    expect_refused(minimal_case("step_hz = 0.5", "step_hz = 100"),
+                   "case.toml:41:11: frequency.step_hz: the step of 100 Hz is wider than the band from 0.5 to 100 Hz\n"
+                   "  41 | step_hz = 100\n"
+                   "     |           ^^^\n"
+                   "allowed: at most 99.5 Hz, or no step_hz: then the program chooses the lines");
+}
+
+TEST(RefusedCases, AVehicleOfAnotherLayout) {
+    const std::string note =
+        "a vehicle here is a body on two bogies of two wheelsets, all alike; one of another layout (two axles, one "
+        "bogie, three axles, unequal axle loads, articulated) cannot be described";
+    const ProgramFolder folder;
+    folder.write("two.toml", minimal_case("wheelbase_m = 2.4\n", ""));
+    folder.write("axle.toml", minimal_case("[vehicle.primary]", "[[vehicle.axle]]\nload_n = 1\n[vehicle.primary]"));
+    for (const char* name : {"two.toml", "axle.toml"}) {
+        const Outcome outcome = folder.run({"validate", name});
+        EXPECT_EQ(outcome.status, 2);
+        EXPECT_NE(outcome.message.find(note), std::string::npos) << outcome.message;
+    }
+}
+
+TEST(RefusedCases, ValidateListsAllOfThem) {
+    const ProgramFolder folder;
+    std::string text = minimal_case("spacing_m = 0.6", "spacing_m = -1\nspacin_m = 0.6");
+    text.replace(text.find("from_hz = 0.5"), 13, "from_hz = true");
+    folder.write("case.toml", text);
+    const Outcome outcome = folder.run({"validate", "case.toml"});
+    EXPECT_EQ(outcome.status, 2);
+    for (const char* words :
+         {"'spacing_m' cannot be -1", "unknown key 'spacin_m'", "'from_hz' cannot be true or false", "\n3 errors"})
+        EXPECT_NE(outcome.message.find(words), std::string::npos) << words << "\n" << outcome.message;
 }
 
 TEST(RefusedCases, BandThatTheSpeedCannotExcite) {

@@ -148,7 +148,7 @@ TEST(RefusedArguments, UnknownOption) {
     EXPECT_EQ(outcome.status, 2);
     EXPECT_EQ(outcome.message,
               "railpem solve: unknown argument '--bnds'\n"
-              "allowed: --help, --out, --bands, --threads, --set; railpem solve --help says more\n"
+              "allowed: --help, --out, --bands, --threads, --strict, --set, --force; railpem solve --help says more\n"
               "did you mean '--bands'?\n");
 }
 
@@ -158,7 +158,7 @@ TEST(RefusedArguments, MissingOutputFolder) {
     EXPECT_EQ(outcome.status, 2);
     EXPECT_EQ(outcome.message,
               "railpem solve: --out is required\n"
-              "allowed: --help, --out, --bands, --threads, --set; railpem solve --help says more\n");
+              "allowed: --help, --out, --bands, --threads, --strict, --set, --force; railpem solve --help says more\n");
 }
 
 TEST(RefusedArguments, ThreadsOutOfRange) {

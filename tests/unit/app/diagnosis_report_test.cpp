@@ -19,19 +19,19 @@ const std::string kCommand = "railpem diagnose case.toml run_60 run_80 --out 'a 
 
 /// The page without Chart.js, scripts and style: what is said and drawn.
 std::string content(const Diagnosis& diagnosis) {
-    const std::string page = diagnosis_report(diagnosis, kCommand);
+    const std::string page = diagnosis_report(diagnosis, {.command = kCommand});
     const std::size_t begin = page.find("<main>"), end = page.find("</main>");
     return page.substr(begin, end - begin);
 }
 
 nlohmann::json data(const Diagnosis& diagnosis) {
-    const std::string page = diagnosis_report(diagnosis, kCommand);
+    const std::string page = diagnosis_report(diagnosis, {.command = kCommand});
     const std::size_t begin = page.find("id=\"report\">") + 12, end = page.find("</script>", begin);
     return nlohmann::json::parse(page.substr(begin, end - begin));
 }
 
 TEST(DiagnosisReport, NeedsNothingBesideIt) {
-    const std::string page = diagnosis_report(testing::explained(), kCommand);
+    const std::string page = diagnosis_report(testing::explained(), {.command = kCommand});
     for (const char* link : {"src=", "href=", "@import", "url("})
         EXPECT_EQ(content(testing::explained()).find(link), std::string::npos) << link;
     EXPECT_EQ(page.find("src=\"http"), std::string::npos);
@@ -105,13 +105,13 @@ TEST(DiagnosisReport, EveryClaimHasItsNumber) {
 }
 
 TEST(DiagnosisReport, TextFromFilesIsHarmless) {
-    const std::string page = diagnosis_report(testing::explained(), kCommand);
+    const std::string page = diagnosis_report(testing::explained(), {.command = kCommand});
     EXPECT_EQ(page.find("bogie_<b>"), std::string::npos);
     EXPECT_NE(page.find("bogie_&lt;b&gt;&amp;&quot;2&quot;"), std::string::npos);
     EXPECT_NE(page.find("--out &#39;a &lt;b&gt;&#39;"), std::string::npos);
     Diagnosis diagnosis = testing::explained();
     diagnosis.channels[0].channel = "</script><script>alert(1)</script>";
-    EXPECT_EQ(diagnosis_report(diagnosis, "").find("<script>alert"), std::string::npos);
+    EXPECT_EQ(diagnosis_report(diagnosis, {.command = ""}).find("<script>alert"), std::string::npos);
     EXPECT_EQ(data(diagnosis)["channels"][0]["name"], "</script><script>alert(1)</script>, run_60");
 }
 

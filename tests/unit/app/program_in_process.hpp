@@ -66,7 +66,7 @@ inline std::map<std::string, std::vector<double>> columns(const std::string& csv
     for (std::istringstream header(line); std::getline(header, field, ',');) names.push_back(field);
     std::map<std::string, std::vector<double>> table;
     for (const std::string& name : names) table[name];
-    while (std::getline(text, line)) {
+    while (std::getline(text, line) && !line.starts_with('#')) {
         std::istringstream row(line);
         for (const std::string& name : names) {
             std::getline(row, field, ',');

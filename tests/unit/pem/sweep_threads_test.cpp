@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "pem/coupling/sweep.hpp"
+#include "pem/lines/sweep.hpp"
 #include "tests/verification/pem/paper_case.hpp"
 
 namespace railpem::pem {

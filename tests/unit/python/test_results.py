@@ -12,7 +12,7 @@ from conftest import WEI
 
 def table(path):
     with open(path, newline="") as file:
-        rows = list(csv.reader(file))
+        rows = list(csv.reader(line for line in file if not line.startswith("#")))
     return {name: np.array([float(row[i]) for row in rows[1:]]) for i, name in enumerate(rows[0])}
 
 
@@ -31,7 +31,9 @@ def test_solve(program, tmp_path, case):
     for name, row in zip(response.columns, response.psd):
         assert_as_written(row, written[name])
     assert np.array_equal(response["wheel_1"], response.psd[response.names.index("wheel_1")])
-    assert response.summary() == json.loads((tmp_path / "case3.summary.json").read_text())
+    written = json.loads((tmp_path / "case3.summary.json").read_text())
+    del written["provenance"]
+    assert response.summary() == written
 
 
 def test_pseudo_responses_make_the_spectra(case):

@@ -18,13 +18,19 @@ VARY = {"track.pads.exponent": [0.0, 0.1, 0.2], "vehicle.payload_kg": np.array([
 KEEP = [("wheel_1", "rms"), ("wheel_1", "peak-frequency"), ("trackbed", "bands")]
 
 
+
+def rows_of(table):
+    """The lines of a table without the comment that says where it comes from."""
+    return [line for line in table.read_text().splitlines() if not line.startswith("#")]
+
+
 def test_a_sweep_file_gives_the_table_of_the_command_line(program, tmp_path):
     path = WEI / "pads.sweep.toml"
     program("sweep", path, "--set", "frequency.step_hz=1.0", "--out", tmp_path)
     result = railpem.sweep(path, set={"frequency.step_hz": 1.0})
     result.write_csv(tmp_path / "python.csv")
     written = tmp_path / (path.stem + ".csv")
-    assert (tmp_path / "python.csv").read_bytes() == written.read_bytes()
+    assert rows_of(tmp_path / "python.csv") == rows_of(written)
     assert len(result) == 169 and result.parameters.shape == (169, 2) and result.values.shape == (169, len(result.rows))
 
 
@@ -33,7 +39,7 @@ def test_a_sweep_of_a_case_gives_what_solve_gives(case):
     assert result.keys == list(VARY) and result.parameters.shape == (6, 2)
     for parameters, values in zip(result.parameters, result.values):
         response = railpem.solve(case.changed(dict(zip(result.keys, parameters))))
-        assert values[0] == pytest.approx(np.sqrt(response["wheel_1"].sum() * case["frequency.step_hz"]), rel=1e-12)
+        assert values[0] == pytest.approx(response.summary()["speeds"][0]["acceleration"]["wheel_1"]["rms_m_per_s2"], rel=1e-12)
         assert values[1] == response.frequency_hz[response["wheel_1"].argmax()]
 
 

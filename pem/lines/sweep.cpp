@@ -1,4 +1,4 @@
-#include "pem/coupling/sweep.hpp"
+#include "pem/lines/sweep.hpp"
 
 #include <fmt/format.h>
 
@@ -7,9 +7,11 @@
 #include <cmath>
 #include <limits>
 
-#include "pem/coupling/solve_case.hpp"
+#include "pem/lines/judged_case.hpp"
 #include "pem/response_names.hpp"
 #include "pem/threads.hpp"
+#include "spectra/comfort.hpp"
+#include "spectra/integrate_psd.hpp"
 
 namespace railpem::pem {
 
@@ -68,46 +70,66 @@ const char* quantity_unit(QuantityKind kind, Quantity quantity) {
             return force ? "level_db_re_1_n" : "level_db";
         case QuantityKind::spectrum:
             return force ? "psd_n2_per_hz" : "psd_m2_per_s4_per_hz";
+        case QuantityKind::weighted_rms_iso2631:
+            return "weighted_rms_iso2631_m_per_s2";
+        case QuantityKind::mean_comfort_en12299:
+            return "mean_comfort_en12299";
+        case QuantityKind::sperling_index:
+            return "sperling_index";
     }
     return "";
 }
 
-void append_quantity(const SweepPlan& plan, const SweepQuantity& wanted, const Solution& solution, double step_hz,
+double comfort_of(QuantityKind kind, const std::vector<double>& lines, const std::vector<double>& psd) {
+    constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+    if (kind == QuantityKind::weighted_rms_iso2631) return spectra::weighted_rms_iso2631(lines, psd).value_or(kUnknown);
+    if (kind == QuantityKind::sperling_index) return spectra::sperling_index_vertical(lines, psd).value_or(kUnknown);
+    const auto vertical = spectra::vertical_comfort_en12299(lines, psd);
+    return vertical ? vertical->mean_comfort : kUnknown;
+}
+
+void append_quantity(const SweepPlan& plan, const SweepQuantity& wanted, const JudgedCase& judged,
                      std::vector<double>& out) {
-    const std::vector<double> psd = response_psd(solution, response_index(wanted.response));
+    const std::size_t response = response_index(wanted.response);
+    const std::vector<double> psd = judged.psd(response);
     switch (wanted.kind) {
-        case QuantityKind::rms: {
-            double sum = 0.0;
-            for (const double value : psd) sum += value;
-            out.push_back(std::sqrt(sum * step_hz));
+        case QuantityKind::rms:
+            out.push_back(spectra::root_mean_square(judged.lines(), psd));
             break;
-        }
         case QuantityKind::peak_level:
             out.push_back(*std::max_element(psd.begin(), psd.end()));
             break;
         case QuantityKind::peak_frequency:
             out.push_back(
-                solution
-                    .frequency_hz[static_cast<std::size_t>(std::max_element(psd.begin(), psd.end()) - psd.begin())]);
+                judged.lines()[static_cast<std::size_t>(std::max_element(psd.begin(), psd.end()) - psd.begin())]);
             break;
         case QuantityKind::bands: {
-            const std::vector<double> levels = plan.bands.levels(solution.frequency_hz, psd);
+            const std::vector<double> levels = plan.bands.levels(judged.lines(), psd);
             out.insert(out.end(), levels.begin(), levels.end());
             break;
         }
-        case QuantityKind::spectrum:
-            out.insert(out.end(), psd.begin(), psd.end());
+        case QuantityKind::spectrum: {
+            const std::vector<double> table = response_psd(judged.solution, response);
+            out.insert(out.end(), table.begin(), table.end());
+            break;
+        }
+        case QuantityKind::weighted_rms_iso2631:
+        case QuantityKind::mean_comfort_en12299:
+        case QuantityKind::sperling_index:
+            out.push_back(comfort_of(wanted.kind, judged.lines(), psd));
             break;
     }
 }
 
-std::vector<double> evaluate(const SweepPlan& plan, std::size_t index, int threads) {
+std::vector<double> evaluate(const SweepPlan& plan, std::size_t index, int threads, const SweepObserver& observer) {
     const CaseParameters parameters = sweep_case(plan, index);
     std::vector<double> values;
     for (const double speed : parameters.running.speeds_m_per_s) {
-        const Solution solution = solve_case(parameters, speed, {.threads = threads});
-        for (const SweepQuantity& quantity : plan.quantities)
-            append_quantity(plan, quantity, solution, parameters.frequency.step_hz, values);
+        const JudgedCase judged = solve_judged(parameters, speed, {.threads = threads});
+        if (const auto warnings = warnings_beside_validity(parameters, judged.solution.warnings);
+            observer.warned && !warnings.empty())
+            observer.warned(index, speed, warnings);
+        for (const SweepQuantity& quantity : plan.quantities) append_quantity(plan, quantity, judged, values);
     }
     return values;
 }
@@ -185,7 +207,8 @@ void run_sweep(const SweepPlan& plan, int threads, const SweepObserver& observer
         failure.guard([&] {
             const std::optional<std::size_t> index = next();
             if (!index) return;
-            if (!observer.finished(*index)) observer.done(*index, evaluate(plan, *index, few ? available : 1));
+            if (!observer.finished(*index))
+                observer.done(*index, evaluate(plan, *index, few ? available : 1, observer));
             more = true;
         });
     }

@@ -25,7 +25,18 @@ struct SweepAxis {
     bool logarithmic = false;      ///< strata equal in the logarithm
 };
 
-enum class QuantityKind { rms, peak_level, peak_frequency, bands, spectrum };
+/// The last three are of ride comfort (spectra/comfort.hpp) and need a response of the body and lines that cover 0.5 to
+/// 80 Hz.
+enum class QuantityKind {
+    rms,
+    peak_level,
+    peak_frequency,
+    bands,
+    spectrum,
+    weighted_rms_iso2631,
+    mean_comfort_en12299,
+    sperling_index
+};
 
 /// What is kept of a response: one number, or one per third-octave or line.
 struct SweepQuantity {
@@ -77,6 +88,9 @@ struct SweepObserver {
     std::function<bool(std::size_t index)> finished;  ///< cases to leave out
     /// the values of a case's rows, in order
     std::function<void(std::size_t index, const std::vector<double>& values)> done;
+    /// what a case was warned of at one of its speeds; called before `done`
+    std::function<void(std::size_t index, double speed_m_per_s, const std::vector<std::string>& warnings)> warned =
+        nullptr;
     /// Which case comes next, nothing when all are given away: for a sweep that several processes share. Without it
     /// every case, in order.
     std::function<std::optional<std::size_t>()> next;

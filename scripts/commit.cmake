@@ -1,0 +1,20 @@
+# Writes OUTPUT with RAILPEM_COMMIT, the commit that SOURCE stands at ("+" where files differ from it), or nothing without a repository.
+# Run at every build; the file is touched only where it changes.
+execute_process(COMMAND git -C ${SOURCE} rev-parse --short=10 HEAD OUTPUT_VARIABLE commit OUTPUT_STRIP_TRAILING_WHITESPACE
+  ERROR_QUIET RESULT_VARIABLE failed)
+if(failed)
+  set(commit "")
+else()
+  execute_process(COMMAND git -C ${SOURCE} diff --quiet HEAD -- ERROR_QUIET RESULT_VARIABLE differs)
+  if(differs)
+    string(APPEND commit "+")
+  endif()
+endif()
+set(text "#define RAILPEM_COMMIT \"${commit}\"\n")
+set(before "")
+if(EXISTS ${OUTPUT})
+  file(READ ${OUTPUT} before)
+endif()
+if(NOT before STREQUAL text)
+  file(WRITE ${OUTPUT} "${text}")
+endif()
