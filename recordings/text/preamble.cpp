@@ -71,8 +71,9 @@ std::optional<Measure> measure_of(const Entry& entry) {
     if (number.empty() || parse_field(number, {.decimal_comma = comma}, measure.value) == FieldKind::text ||
         !std::isfinite(measure.value))
         return std::nullopt;
-    std::string_view unit = trimmed(std::string_view(entry.value).substr(end));
-    unit = unit.substr(0, unit.find_first_of(";,\t "));  // the same for further channels
+    std::string_view unit = std::string_view(entry.value).substr(end);
+    unit.remove_prefix(std::min(unit.find_first_not_of(" ;\t"), unit.size()));  // in a field of its own
+    unit = unit.substr(0, unit.find_first_of(";,\t "));                         // the same for further channels
     measure.unit = known_unit(unit.empty() ? std::string_view(entry.key.unit) : unit);
     return measure;
 }
@@ -80,16 +81,18 @@ std::optional<Measure> measure_of(const Entry& entry) {
 /// Hz; 0 when the line says nothing of it.
 double rate_of(const Entry& entry) {
     const std::string& word = entry.key.word;
-    const bool is_rate =
-        is_one_of(word, {"samplerate", "samplingrate", "samplingfrequency", "samplefrequency", "scanrate", "abtastrate",
-                         "abtastfrequenz", "messrate", "fs", "fshz", "samplespersecond", "sampleratehz",
-                         "samplingratehz", "samplingfrequencyhz", "datarate", "sps", "samplesperchannelpersecond"});
+    const bool is_rate = is_one_of(
+        word, {"samplerate", "samplingrate", "samplingfrequency", "samplefrequency", "scanrate", "abtastrate",
+               "abtastfrequenz", "messrate", "fs", "fshz", "samplespersecond", "sampleratehz", "samplingratehz",
+               "samplingfrequencyhz", "datarate", "rate", "sps", "samplesperchannelpersecond"});
     const bool is_interval =
         is_one_of(word, {"sampleinterval", "samplinginterval", "sampletime", "timestep", "deltax", "deltat", "dt",
                          "dts", "timeincrement", "xincrement", "abtastintervall", "samplingperiod", "sampleperiod"});
     if (!is_rate && !is_interval) return 0.0;
     const std::optional<Measure> measure = measure_of(entry);
     if (!measure || !(measure->value > 0.0)) return 0.0;
+    // A rate may be of anything: alone it needs the unit of one of samples.
+    if (word == "rate" && !measure->unit) return 0.0;
     const Dimension wanted = is_rate ? Dimension::frequency : Dimension::time;
     if (measure->unit && measure->unit->dimension != wanted) return 0.0;
     const double value = measure->value * (measure->unit ? measure->unit->factor : 1.0);
