@@ -89,7 +89,8 @@ TEST(MeasuredIrregularity, ErrorsHaveTheirLine) {
     EXPECT_EQ(refused(spectrum + "0,1e-6\n0.2,1e-7\n"), "2: cycles_per_m cannot be 0 | a number greater than 0");
     EXPECT_EQ(refused(spectrum + "0.1,1e-6\n0.2,\n"), "3: a value is missing | a number in cycles_per_m and psd_m3");
     EXPECT_EQ(refused(spectrum + "0.1,1e-6\n"), "0: 1 row of numbers | at least two rows");
-    EXPECT_EQ(refused(spectrum + "0.1,1e-6\n0.2,inf\n").rfind("3: 'inf' in column 'psd_m3' is not a", 0), 0U);
+    EXPECT_EQ(refused(spectrum + "0.1,1e-6\n0.2,inf\n"), "3: a value is missing | a number in cycles_per_m and psd_m3");
+    EXPECT_EQ(refused(spectrum + "0.1,1e-6\n0.2,four\n").rfind("3: 'four' in column 'psd_m3' is not a", 0), 0U);
     EXPECT_EQ(refused("cycles_per_m,psd\n0.1,1e-6\n0.2,1e-7\n").rfind("1: there is no column 'psd_m3'", 0), 0U)
         << refused("cycles_per_m,psd\n0.1,1e-6\n0.2,1e-7\n");
     EXPECT_EQ(refused("wavelength_m,level_db\n1,2\n2,3\n"),
