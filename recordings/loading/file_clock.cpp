@@ -79,7 +79,8 @@ double rate_of_times(const std::vector<double>& time, bool& stand_still) {
 bool FileClock::by_said_unit() {
     if (says_.unit.empty()) return false;
     const std::optional<KnownUnit> unit = known_unit(says_.unit);
-    if (!unit || unit->dimension != Dimension::time)
+    if (!unit) return false;  // a word, of which nothing is known
+    if (unit->dimension != Dimension::time)
         throw parameters::ParameterError("time_column",
                                          fmt::format("the data file says '{}' ({}) for the times, which is no unit of "
                                                      "time",

@@ -92,7 +92,9 @@ bool is_table_row(const Row& row, const std::vector<bool>& numbers, const CsvDia
 }
 
 bool says_no_unit(std::string_view field) {
-    static constexpr std::string_view nothing[] = {"-", "--", "1", "[-]", "(-)", "none", "None", "NONE", "n/a", "[1]"};
+    static constexpr std::string_view nothing[] = {"-",    "--",    "1",       "[-]",      "(-)",  "none",
+                                                   "None", "NONE",  "n/a",     "[1]",      "Unit", "Units",
+                                                   "unit", "units", "Einheit", "Einheiten"};
     return std::find(std::begin(nothing), std::end(nothing), field) != std::end(nothing);
 }
 

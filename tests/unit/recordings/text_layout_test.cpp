@@ -49,6 +49,15 @@ TEST(TextLayout, SeveralRowsOfNames) {
     EXPECT_EQ(table.says.columns[1].unit_where, "row of units, line 3");
 }
 
+TEST(TextLayout, LabelsInFrontOfTheHeaderRows) {
+    const std::string content =
+        "Rate;10;Hz\nName;a;b\nUnit;g;g\nSensitivity;100;100\n0,0;1,5;10\n0,1;-2,25;20\n0,2;3;30\n";
+    expect_columns(content);
+    const DataTable table = table_of(content, {"1", "a"});
+    EXPECT_EQ(table.says.columns[0].unit, "");
+    EXPECT_EQ(table.says.columns[1].unit, "g");
+}
+
 TEST(TextLayout, CommentsThatAreTheHeader) {
     expect_columns("# time,a,b\n" + three_rows);
     expect_columns("# made by a script\n#time,a,b\n" + three_rows);
