@@ -114,6 +114,9 @@ void apply(const std::vector<EffectInstance>& instances, const ParameterAccess& 
 /// A number of the case that is wrong by a factor.
 EffectInstance wrong_number(const std::string& key, double factor);
 
+/// A channel that reads too high by a factor; negative: inverted.
+EffectInstance wrong_gain(const std::string& channel, double gain);
+
 /// The instance says that a number of the case is wrong.
 bool is_wrong_number(const EffectInstance& instance);
 

@@ -26,6 +26,15 @@ EffectInstance wrong_number(const std::string& key, double factor) {
     return {.effect = effects::wrong_number_id(), .values = {{"factor", factor}}, .choices = {{"parameter", key}}};
 }
 
+EffectInstance wrong_gain(const std::string& channel, double gain) {
+    const auto scales_a_channel = [](const Effect& effect) {
+        return std::any_of(effect.parameters.begin(), effect.parameters.end(),
+                           [](const EffectParameter& own) { return own.name == "gain"; });
+    };
+    const std::string& id = std::find_if(effects().begin(), effects().end(), scales_a_channel)->id;
+    return {.effect = id, .values = {{"gain", gain}}, .choices = {{"channel", channel}}};
+}
+
 bool is_wrong_number(const EffectInstance& instance) {
     return instance.effect == effects::wrong_number_id();
 }

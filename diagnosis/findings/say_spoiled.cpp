@@ -9,11 +9,10 @@ namespace railpem::diagnosis {
 namespace {
 
 NamedEffect as_gain(const SpoiledChannel& slip) {
-    NamedEffect named{.instance = {.effect = "sensor-gain"}, .element = Element::sensor, .probability = 1.0};
-    named.instance.choices["channel"] = slip.channel;
-    named.instance.values["gain"] = slip.factor;
+    NamedEffect named{
+        .instance = wrong_gain(slip.channel, slip.factor), .element = Element::sensor, .probability = 1.0};
     named.says = slip.says;
-    named.source = find_effect("sensor-gain")->source;
+    named.source = find_effect(named.instance.effect)->source;
     named.parameters.push_back(
         {.name = "gain", .value = slip.factor, .low = slip.factor, .high = slip.factor, .unit = "1"});
     return named;
@@ -33,9 +32,11 @@ void say_spoiled(const std::vector<SpoiledChannel>& spoiled, Diagnosis& result) 
     result.statement =
         fmt::format("The recording is at fault, not the physics: {}. With that undone: {}", slips, result.statement);
     result.verdict = Verdict::recording_fault;
+    EffectSet said{.effects = {}, .probability = 1.0};
+    for (const NamedEffect& own : omitted) said.effects.push_back(own.instance.effect);
     result.omitted = std::move(omitted);
     result.rivals.clear();
-    result.posterior = {{{"sensor-gain"}, 1.0}};
+    result.posterior = {std::move(said)};
     result.places = {{.element = Element::sensor, .probability = 1.0}};
 }
 

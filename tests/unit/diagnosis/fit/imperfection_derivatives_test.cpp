@@ -14,14 +14,14 @@
 namespace railpem::diagnosis {
 namespace {
 
-constexpr double kStep = 1e-3;
+constexpr double kImperfectionStep = 1e-3;
 
 /// Largest difference between a derivative and a central difference, of the power of the channels.
 double largest_difference(const Synthesised& made, const Trial& trial, const Unknown& unknown, double value,
                           const ExpectedSpectra& at, const PredictionDerivative& own) {
     Trial up = trial, down = trial;
-    unknown.set(up, value + kStep);
-    unknown.set(down, value - kStep);
+    unknown.set(up, value + kImperfectionStep);
+    unknown.set(down, value - kImperfectionStep);
     const auto o = static_cast<std::size_t>(own.observation);
     const ExpectedSpectra high = predict_one(up, made.context(), o), low = predict_one(down, made.context(), o);
     const std::size_t size = at.channels;
@@ -30,7 +30,8 @@ double largest_difference(const Synthesised& made, const Trial& trial, const Unk
         const std::size_t first = k / (size * size) * size * size, i = k % size, j = k / size % size;
         const double power =
             std::sqrt(at.values[first + i * (size + 1)].real() * at.values[first + j * (size + 1)].real());
-        most = std::max(most, std::abs((high.values[k] - low.values[k]) / (2.0 * kStep) - own.values[k]) / power);
+        most = std::max(most,
+                        std::abs((high.values[k] - low.values[k]) / (2.0 * kImperfectionStep) - own.values[k]) / power);
     }
     return most;
 }

@@ -14,7 +14,7 @@ namespace railpem::diagnosis {
 namespace {
 
 using Complex = std::complex<double>;
-constexpr const char* kTrack = "cases/ballasted/uic60.toml";
+constexpr const char* kHammerTrack = "cases/ballasted/uic60.toml";
 constexpr double kError = 0.02;
 
 /// A track that is 20 % softer than believed: a difference that physics makes.
@@ -30,7 +30,7 @@ std::vector<Observation> seen(const recordings::Recording& recording, const Beli
 
 /// Slips found in a receptance whose every value was changed.
 std::vector<SpoiledChannel> of_receptance(Complex (*change)(Complex value, double omega)) {
-    const BelievedCase believed = believed_file(kTrack);
+    const BelievedCase believed = believed_file(kHammerTrack);
     recordings::Recording recording = receptance_recording(truth_of(believed), kError, 1);
     for (std::size_t i = 0; i < recording.receptance.value_m_per_n.size(); ++i)
         recording.receptance.value_m_per_n[i] = change(recording.receptance.value_m_per_n[i],
@@ -75,7 +75,7 @@ TEST(SpoiledValues, OtherQuantitiesAreFound) {
 
 // Undone, the values are those of the sound recording.
 TEST(SpoiledValues, UndoesWhatItFinds) {
-    const BelievedCase believed = believed_file(kTrack);
+    const BelievedCase believed = believed_file(kHammerTrack);
     const recordings::Recording sound = receptance_recording(truth_of(believed), kError, 1);
     recordings::Recording spoiled = sound;
     for (Complex& value : spoiled.receptance.value_m_per_n) value = 1e3 * std::conj(value);
@@ -87,7 +87,7 @@ TEST(SpoiledValues, UndoesWhatItFinds) {
 }
 
 TEST(SpoiledValues, DecayRatesPerKilometreAreARecordingFault) {
-    const BelievedCase believed = believed_file(kTrack);
+    const BelievedCase believed = believed_file(kHammerTrack);
     recordings::Recording recording = decay_recording(believed.numbers, 0.05, 2);
     for (double& value : recording.decay_rate.decay_rate_db_per_m) value *= 1e3;
     for (double& value : recording.decay_rate.standard_error_db_per_m) value *= 1e3;
@@ -115,7 +115,7 @@ TEST(SpoiledValues, SpectraInMillimetresAreFoundWhateverTheirPedestal) {
 
 /// By how many dB levels are said to be off when decay rates are a factor too high.
 double level_error(double factor) {
-    const BelievedCase believed = believed_file(kTrack);
+    const BelievedCase believed = believed_file(kHammerTrack);
     recordings::Recording recording = decay_recording(believed.numbers, 0.05, 4);
     for (double& value : recording.decay_rate.decay_rate_db_per_m) value *= factor;
     const std::vector<Observation> observations = seen(recording, believed);
