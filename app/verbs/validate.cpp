@@ -10,6 +10,7 @@
 #include "app/schema/sweep_schema.hpp"
 #include "app/verbs/verbs.hpp"
 #include "pem/rail/case_equilibrium.hpp"
+#include "recordings/checks/check_tables.hpp"
 #include "recordings/loading/load_recording.hpp"
 
 namespace railpem::app {
@@ -31,7 +32,11 @@ int validate_recording(const std::string& path) {
     const RecordingFile file = read_recording(path);
     constexpr std::size_t kSection = 600000;  // samples per channel held at once
     reading_data(file, [&] {
-        recordings::load_in_sections(file.description, file.base, kSection, [](const recordings::Recording&) {});
+        recordings::load_in_sections(
+            file.description, file.base, kSection, [&](const recordings::Recording& recording) {
+                for (const recordings::Fault& fault : recordings::checks::check_tables(recording, {}))
+                    fmt::print(stderr, "{}: warning: {}\n", path, fault.says);
+            });
     });
     return valid(path, "recording", file.description.title);
 }

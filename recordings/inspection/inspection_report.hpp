@@ -41,6 +41,12 @@ struct Spectrogram {
     std::vector<float> level_db;  ///< [time][bin], re 1 SI²/Hz; NaN where a sample is missing
 };
 
+/// The speed along a record, and where it was read from.
+struct SpeedAlong {
+    double mean_m_per_s = 0.0, lowest_m_per_s = 0.0, highest_m_per_s = 0.0;
+    std::string read_from;  ///< "delays", "speed channel" or "description"; "": not known
+};
+
 /// A frequency that has a name at the speed of the record.
 struct NamedFrequency {
     double frequency_hz = 0.0;
@@ -55,6 +61,7 @@ struct InspectionReport {
     double stated_speed_m_per_s = 0.0, stated_speed_error_m_per_s = 0.0;  ///< 0: not stated
     double speed_m_per_s = 0.0, speed_error_m_per_s = 0.0;                ///< from the delays; 0: could not be told
     int speed_pairs = 0;
+    SpeedAlong speed_along;
     std::optional<WheelOrders> wheel_orders;       ///< when enough lines are multiples of one rotation
     double averages = 0.0, coherence_limit = 1.0;  ///< of one bin; 5 % limit of the coherence of unrelated channels
     double interval_low_db = 0.0, interval_high_db = 0.0;  ///< 90 % interval of one bin

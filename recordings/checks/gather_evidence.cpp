@@ -1,0 +1,74 @@
+#include <algorithm>
+#include <cmath>
+
+#include "recordings/checks/evidence.hpp"
+#include "recordings/checks/stops.hpp"
+#include "recordings/estimates/laid_delays.hpp"
+
+namespace railpem::recordings::checks {
+namespace {
+
+/// The longest stretch between stops.
+Stretch moving_stretch(const std::vector<Stretch>& stops, double duration) {
+    Stretch longest{0.0, stops.empty() ? duration : stops.front().from_s};
+    for (std::size_t i = 0; i < stops.size(); ++i) {
+        const Stretch after{stops[i].to_s, i + 1 < stops.size() ? stops[i + 1].from_s : duration};
+        if (after.to_s - after.from_s > longest.to_s - longest.from_s) longest = after;
+    }
+    return longest;
+}
+
+TimeSeries cut(const TimeSeries& series, const Stretch& stretch) {
+    TimeSeries part{.sampling_rate_hz = series.sampling_rate_hz};
+    for (const Channel& channel : series.channels) {
+        const auto at = [&](double time) {
+            const auto sample = static_cast<std::size_t>(std::lround(time * series.sampling_rate_hz));
+            return channel.samples.begin() + static_cast<std::ptrdiff_t>(std::min(sample, channel.samples.size()));
+        };
+        part.channels.push_back({channel.description, {at(stretch.from_s), at(stretch.to_s)}});
+    }
+    return part;
+}
+
+/// The speed along the record, where the channels agree on one.
+std::optional<RunningSpeed> running_along(const TimeSeries& series, const VehicleGeometry& geometry, double expected) {
+    constexpr double kLeastAgreement = 0.3;  // as the diagnosis asks for: unrelated channels agree to 0.1
+    constexpr int kRefinements = 4;          // the last ones move the speed by less than the delays are known to
+    std::optional<RunningSpeed> running = running_speed(series, geometry, expected, {.refinements = kRefinements});
+    if (running && running->agreement < kLeastAgreement) running.reset();
+    return running;
+}
+
+/// Relative rms of the speed about its mean, beyond what chance makes of it.
+bool changes(const RunningSpeed& running) {
+    constexpr double kLeast =
+        2e-4;  // a delay of a second is then off by less than the smallest skew that is looked for
+    const std::vector<double>& speeds = running.path.speed_m_per_s;
+    double mean = 0.0, square = 0.0;
+    for (const double v : speeds) mean += v / static_cast<double>(speeds.size());
+    for (const double v : speeds) square += std::pow(v / mean - 1.0, 2) / static_cast<double>(speeds.size());
+    return std::sqrt(square) > std::max(kLeast, 2.0 * running.relative_error);
+}
+
+}  // namespace
+
+Evidence gather_evidence(const Recording& recording, const InspectionContext& context, const CrossSpectra* spectra,
+                         std::vector<std::vector<double>> detrended, const TruePlaces& places) {
+    const TimeSeries& series = recording.series;
+    Evidence evidence{recording, context, spectra, std::move(detrended), {}, {}, {}, {}, {}, {}};
+    for (const std::vector<double>& samples : evidence.detrended)
+        evidence.lines.push_back(find_lines(samples, series.sampling_rate_hz));
+    evidence.stops = stops_of(series, evidence.detrended);
+    evidence.moving = moving_stretch(evidence.stops, series.duration_s());
+    if (!context.geometry) return evidence;
+    const TimeSeries part = evidence.stops.empty() ? TimeSeries{} : cut(series, evidence.moving);
+    const TimeSeries& moving = evidence.stops.empty() ? series : part;
+    if (places.speed_m_per_s) evidence.running = running_along(moving, *context.geometry, *places.speed_m_per_s);
+    evidence.delays = evidence.running && changes(*evidence.running)
+                          ? laid_delays(moving, *context.geometry, evidence.running->path)
+                          : wheelbase_delays(moving, *context.geometry, {});
+    evidence.speed = wheelbase_speed(evidence.delays);
+    return evidence;
+}
+
+}  // namespace railpem::recordings::checks
