@@ -11,7 +11,7 @@ struct Consequence {
     FaultKind cause, looks_like;
 };
 
-constexpr std::array<Consequence, 9> consequences = {{
+constexpr std::array<Consequence, 12> consequences = {{
     {FaultKind::stop, FaultKind::low_frequency_noise},  // a level that steps has all slow frequencies in it
     {FaultKind::stop, FaultKind::not_stationary},
     {FaultKind::stop, FaultKind::impacts},    // the first wave after standing still
@@ -19,8 +19,11 @@ constexpr std::array<Consequence, 9> consequences = {{
     {FaultKind::speed_changes, FaultKind::not_stationary},
     {FaultKind::duplicated, FaultKind::timing_skew},  // a copy has no delay
     {FaultKind::duplicated, FaultKind::clock_drift},
-    {FaultKind::coarse_resolution, FaultKind::impacts},  // a step is an impact to what predicts between steps
-    {FaultKind::clipping, FaultKind::impacts},           // so is the edge at which a channel is cut
+    {FaultKind::coarse_resolution, FaultKind::impacts},    // a step is an impact to what predicts between steps
+    {FaultKind::clipping, FaultKind::impacts},             // so is the edge at which a channel is cut
+    {FaultKind::band_limited, FaultKind::not_stationary},  // what is left above the filter is no vibration
+    {FaultKind::band_limited, FaultKind::impacts},
+    {FaultKind::wrong_unit, FaultKind::inverted},  // a displacement is against its acceleration
 }};
 
 bool shares_channel(const Fault& a, const Fault& b) {

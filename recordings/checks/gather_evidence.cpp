@@ -39,17 +39,6 @@ std::optional<RunningSpeed> running_along(const TimeSeries& series, const Vehicl
     return running;
 }
 
-/// Relative rms of the speed about its mean, beyond what chance makes of it.
-bool changes(const RunningSpeed& running) {
-    constexpr double kLeast =
-        2e-4;  // a delay of a second is then off by less than the smallest skew that is looked for
-    const std::vector<double>& speeds = running.path.speed_m_per_s;
-    double mean = 0.0, square = 0.0;
-    for (const double v : speeds) mean += v / static_cast<double>(speeds.size());
-    for (const double v : speeds) square += std::pow(v / mean - 1.0, 2) / static_cast<double>(speeds.size());
-    return std::sqrt(square) > std::max(kLeast, 2.0 * running.relative_error);
-}
-
 }  // namespace
 
 Evidence gather_evidence(const Recording& recording, const InspectionContext& context, const CrossSpectra* spectra,
@@ -64,9 +53,8 @@ Evidence gather_evidence(const Recording& recording, const InspectionContext& co
     const TimeSeries part = evidence.stops.empty() ? TimeSeries{} : cut(series, evidence.moving);
     const TimeSeries& moving = evidence.stops.empty() ? series : part;
     if (places.speed_m_per_s) evidence.running = running_along(moving, *context.geometry, *places.speed_m_per_s);
-    evidence.delays = evidence.running && changes(*evidence.running)
-                          ? laid_delays(moving, *context.geometry, evidence.running->path)
-                          : wheelbase_delays(moving, *context.geometry, {});
+    evidence.delays = evidence.running ? laid_delays(moving, *context.geometry, evidence.running->path)
+                                       : wheelbase_delays(moving, *context.geometry, {});
     evidence.speed = wheelbase_speed(evidence.delays);
     return evidence;
 }

@@ -57,14 +57,14 @@ double distance_of(const LevelDifferences& differences, const Candidate& candida
     return median(distances);
 }
 
-/// Bands within two standard deviations of a candidate.
-int near(const LevelDifferences& differences, const Candidate& candidate) {
+/// Bands that lie nearer to a candidate than to nothing wrong, less twice those that do not.
+int votes(const LevelDifferences& differences, const Candidate& candidate) {
     int count = 0;
     for (std::size_t i = 0; i < differences.level_db.size(); ++i)
         count += std::abs(differences.level_db[i] - expected_db(candidate, differences.frequency_hz[i])) <
-                         2.0 * level_scatter_db
+                         std::abs(differences.level_db[i])
                      ? 1
-                     : 0;
+                     : -2;
     return count;
 }
 
@@ -80,7 +80,7 @@ std::optional<LevelMistake> level_mistake(const LevelDifferences& differences) {
     for (std::size_t i = 0; i < differences.level_db.size(); ++i)
         if (differences.strong[i]) strong.push_back(differences.level_db[i]);
     if (strong.size() < 3) return std::nullopt;  // a slope needs three
-    const double none = prior_right * likelihood(distance_of(differences, right));
+    const double right_db = distance_of(differences, right), none = prior_right * likelihood(right_db);
     double total = none, best = 0.0, least_db = farthest_db;
     const Candidate* explanation = nullptr;
     const auto consider = [&](const Candidate& candidate, double prior) {
@@ -94,8 +94,12 @@ std::optional<LevelMistake> level_mistake(const LevelDifferences& differences) {
     for (const Candidate& candidate : units) consider(candidate, prior_unit / units.size());
     for (const Candidate& candidate : quantities) consider(candidate, prior_quantity / quantities.size());
     constexpr double kMost = 0.01;  // of false alarms
-    if (!explanation || none > kMost * total) return std::nullopt;
-    if (near(differences, *explanation) <= 2 * near(differences, right)) return std::nullopt;
+    // A slope crosses what was expected somewhere: there it is told by how much nearer the bands lie to it.
+    constexpr double kTimesNearer = 3.0, kNearer_db = 3.0;
+    const bool by_slope =
+        explanation && explanation->derivatives != 0 && right_db > kTimesNearer * least_db + kNearer_db;
+    if (!explanation || (none > kMost * total && !by_slope)) return std::nullopt;
+    if (votes(differences, *explanation) <= 0) return std::nullopt;
     return LevelMistake{.factor = explanation->factor,
                         .derivatives = explanation->derivatives,
                         .says = explanation->says,

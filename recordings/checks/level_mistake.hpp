@@ -24,8 +24,8 @@ struct LevelMistake {
 };
 
 /// The mistake that explains the differences; nothing when none does, or when nothing need be wrong. A mistake moves
-/// all bands alike, or by 6 dB per octave and derivative: half of the strong bands lie within 10 dB of it, and twice as
-/// many of all bands as agree with what was expected.
+/// all bands alike, or by 6 dB per octave and derivative: half of the strong bands lie within 10 dB of it, and two
+/// thirds of all bands nearer to it than to what was expected.
 std::optional<LevelMistake> level_mistake(const LevelDifferences& differences);
 
 }  // namespace railpem::recordings::checks

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "recordings/checks/checks.hpp"
 
@@ -20,6 +21,16 @@ std::vector<std::size_t> telling_channels(const TimeSeries& series) {
     return members;
 }
 
+/// Sum of squares about the mean of a stretch: a sensor that drifts while the train stands is quiet all the same.
+double scatter_of(const std::vector<double>& samples, std::size_t begin, std::size_t count) {
+    double sum = 0.0, square = 0.0;
+    for (std::size_t n = begin; n < begin + count; ++n) {
+        sum += samples[n];
+        square += samples[n] * samples[n];
+    }
+    return std::max(0.0, square - sum * sum / static_cast<double>(count));
+}
+
 }  // namespace
 
 std::vector<Stretch> stops_of(const TimeSeries& series, const std::vector<std::vector<double>>& detrended) {
@@ -27,17 +38,13 @@ std::vector<Stretch> stops_of(const TimeSeries& series, const std::vector<std::v
     const auto step = static_cast<std::size_t>(0.5 * series.sampling_rate_hz);
     if (step < 8 || members.empty()) return {};
     std::vector<double> level, whole;
-    for (const std::size_t i : members) {
-        double all = 1e-300;
-        for (const double x : detrended[i]) all += x * x;
-        whole.push_back(all);
-    }
+    for (const std::size_t member : members)
+        whole.push_back(
+            std::inner_product(detrended[member].begin(), detrended[member].end(), detrended[member].begin(), 1e-300));
     for (std::size_t begin = 0; begin + step <= series.size(); begin += step) {
         double sum = 0.0;
-        for (std::size_t m = 0; m < members.size(); ++m) {
-            const std::vector<double>& x = detrended[members[m]];
-            for (std::size_t n = begin; n < begin + step; ++n) sum += x[n] * x[n] / whole[m];
-        }
+        for (std::size_t m = 0; m < members.size(); ++m)
+            sum += scatter_of(detrended[members[m]], begin, step) / whole[m];
         level.push_back(std::sqrt(sum));
     }
     if (level.size() < 8) return {};

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "recordings/checks/median.hpp"
 #include "recordings/units.hpp"
@@ -31,6 +32,20 @@ constexpr std::array<QuantityCandidate, 13> candidates = {
      {1.0 / standard_gravity_m_per_s2, 2, "accelerance in g/N"},
      {1e3 / standard_gravity_m_per_s2, 2, "accelerance in g/kN"}}};
 
+/// Of the lowest octave, where a track below its resonance is a spring: its receptance is level there. Nothing when the
+/// slope is none of a spring's.
+std::optional<int> derivatives_by_slope(const std::vector<double>& frequency, const std::vector<double>& magnitude) {
+    std::vector<double> slopes;
+    for (std::size_t i = 1; i < frequency.size() && frequency[i] <= 2.0 * frequency.front(); ++i)
+        if (frequency.front() > 0.0 && magnitude[i] > 0.0 && magnitude.front() > 0.0)
+            slopes.push_back(std::log(magnitude[i] / magnitude.front()) / std::log(frequency[i] / frequency.front()));
+    if (slopes.empty()) return std::nullopt;
+    constexpr double kClose = 0.35;  // a resonance an octave above the octave adds a third
+    const double slope = median(slopes), whole = std::round(slope);
+    if (whole < 0.0 || whole > 2.0 || std::abs(slope - whole) > kClose) return std::nullopt;
+    return static_cast<int>(whole);
+}
+
 }  // namespace
 
 TrackQuantity track_quantity(const std::vector<double>& frequency, const std::vector<double>& magnitude,
@@ -51,11 +66,13 @@ TrackQuantity track_quantity(const std::vector<double>& frequency, const std::ve
                 std::abs(level[i] - 20.0 * std::log10(candidate.factor) - candidate.derivatives * wave[i]));
         return median(distances);
     };
+    const std::optional<int> derivatives = derivatives_by_slope(frequency, magnitude);
     // A receptance in m/N unless it is four deviations off and something else is within three.
     const double right = distance(candidates.front());
     double best = right;
     for (const QuantityCandidate& candidate : candidates)
-        if (const double own = distance(candidate); own < best && right > 4.0 * scatter_db && own < 3.0 * scatter_db) {
+        if (const double own = distance(candidate); (!derivatives || candidate.derivatives == *derivatives) &&
+                                                    own < best && right > 4.0 * scatter_db && own < 3.0 * scatter_db) {
             best = own;
             result.factor = candidate.factor;
             result.derivatives = candidate.derivatives;

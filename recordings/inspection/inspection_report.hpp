@@ -61,7 +61,6 @@ struct InspectionReport {
     double stated_speed_m_per_s = 0.0, stated_speed_error_m_per_s = 0.0;  ///< 0: not stated
     double speed_m_per_s = 0.0, speed_error_m_per_s = 0.0;                ///< from the delays; 0: could not be told
     int speed_pairs = 0;
-    SpeedAlong speed_along;
     std::optional<WheelOrders> wheel_orders;       ///< when enough lines are multiples of one rotation
     double averages = 0.0, coherence_limit = 1.0;  ///< of one bin; 5 % limit of the coherence of unrelated channels
     double interval_low_db = 0.0, interval_high_db = 0.0;  ///< 90 % interval of one bin
@@ -78,6 +77,7 @@ struct InspectionReport {
     MeasuredDecayRate decay_rate;          ///< kind decay-rate
     MeasuredIrregularity irregularity;     ///< that the recording brings, without the samples of its profile
     double profile_length_m = 0.0, profile_step_m = 0.0, profile_rms_m = 0.0;  ///< 0: not a profile; rms without mean
+    SpeedAlong speed_along;
 };
 
 }  // namespace railpem::recordings
