@@ -3,13 +3,14 @@
 namespace railpem::recordings {
 
 std::string fault_name(FaultKind kind) {
-    static const char* const names[] = {"missing-samples", "held-values", "constant",       "coarse-resolution",
-                                        "clipping",        "offset",      "drift",          "low-frequency-noise",
-                                        "duplicated",      "swapped",     "inverted",       "wrong-unit",
-                                        "unknown-scale",   "mains-hum",   "aliasing",       "sampling-jitter",
-                                        "sampling-rate",   "timing-skew", "not-stationary", "speed-changes",
-                                        "speed-mismatch",  "stop",        "impacts",        "mileage",
-                                        "too-short"};
+    static const char* const names[] = {"missing-samples", "held-values",  "constant",       "coarse-resolution",
+                                        "clipping",        "offset",       "drift",          "low-frequency-noise",
+                                        "duplicated",      "swapped",      "inverted",       "wrong-unit",
+                                        "unknown-scale",   "mains-hum",    "aliasing",       "sampling-jitter",
+                                        "sampling-rate",   "timing-skew",  "not-stationary", "speed-changes",
+                                        "speed-mismatch",  "stop",         "impacts",        "mileage",
+                                        "too-short",       "band-limited", "clock-drift",    "not-causal",
+                                        "band-centres"};
     return names[static_cast<int>(kind)];
 }
 

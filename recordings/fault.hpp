@@ -30,7 +30,11 @@ enum class FaultKind {
     stop,
     impacts,
     mileage,
-    too_short
+    too_short,
+    band_limited,
+    clock_drift,
+    not_causal,
+    band_centres
 };
 
 /// note: worth knowing; warning: spoils some uses; error: the channel or the record cannot be trusted as it is.

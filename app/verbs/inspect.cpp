@@ -85,6 +85,15 @@ void print_reports(const InspectRequest& request, const std::vector<recordings::
         stdout);
 }
 
+/// 3 where a recording cannot be trusted as it is, so that a script need not read the report.
+int status_of(const std::vector<recordings::InspectionReport>& reports) {
+    constexpr int kErrorsInData = 3;
+    for (const recordings::InspectionReport& report : reports)
+        for (const recordings::Fault& fault : report.faults)
+            if (fault.severity == recordings::Severity::error) return kErrorsInData;
+    return 0;
+}
+
 int inspect(const InspectRequest& request) {
     check_outputs(request);
     const std::vector<RecordingFile> files = read_recordings(request);
@@ -106,7 +115,7 @@ int inspect(const InspectRequest& request) {
     if (folder) folder->commit();
     if (page) page->commit();
     print_reports(request, reports);
-    return 0;
+    return status_of(reports);
 }
 
 }  // namespace
@@ -116,6 +125,7 @@ void add_inspect(CLI::App& program, Run& run) {
     CLI::App* verb =
         program.add_subcommand("inspect", "what recordings hold, and whether they can be trusted: a screen of text");
     verb->footer(
+        "Exit status 3: errors were found in the data; the report is printed all the same.\n"
         "Examples:\n"
         "  railpem inspect run1 --html run1.html\n"
         "  railpem inspect run1 --case case.toml");

@@ -9,8 +9,10 @@
 
 #include "app/schema/read_table.hpp"
 #include "pem/coupling/solution.hpp"
+#include "pem/coupling/track_response.hpp"
 #include "pem/lines/judged_case.hpp"
 #include "pem/response_names.hpp"
+#include "spectra/third_octaves.hpp"
 
 namespace railpem::app {
 
@@ -74,6 +76,33 @@ std::optional<recordings::PredictedSpectrum> predict(const pem::Solution& soluti
     return predicted;
 }
 
+/// Receptance where the recording's rail was struck, or decay rates: of the kinds that need no vehicle.
+recordings::PredictedTrack predicted_track(const pem::CaseParameters& parameters,
+                                           const recordings::RecordingDescription& description) {
+    constexpr double kFrom_hz = 20.0, kTo_hz = 6000.0;  // what hammers reach
+    constexpr int kLines = 500;                         // twenty in a third-octave: decay_bands() asks for three
+    const bool decays = description.kind == recordings::RecordingKind::decay_rate;
+    const pem::TrackResponse response =
+        pem::track_response(parameters, pem::geometric_lines(kFrom_hz, kTo_hz, kLines), decays);
+    recordings::PredictedTrack track;
+    track.frequency_hz = response.frequency_hz;
+    for (const Complex value : description.place == recordings::Place::over_pad ? response.over_pad : response.mid_bay)
+        track.receptance_m_per_n.push_back(std::abs(value));
+    if (!decays) return track;
+    std::vector<double> centres;
+    for (const spectra::ThirdOctaveBand& band : spectra::third_octave_bands(kFrom_hz, kTo_hz))
+        centres.push_back(band.centre_hz);
+    for (const pem::DecayBand& band : pem::decay_bands(response, centres, parameters.track.spacing_m)) {
+        track.centre_hz.push_back(band.centre_hz);
+        track.decay_rate_db_per_m.push_back(band.decay_rate_db_per_m);
+    }
+    return track;
+}
+
+bool is_of_track(recordings::RecordingKind kind) {
+    return kind == recordings::RecordingKind::receptance || kind == recordings::RecordingKind::decay_rate;
+}
+
 }  // namespace
 
 recordings::InspectionContext inspection_beliefs(const CaseFile& believed, const RecordingFile& recording) {
@@ -83,10 +112,14 @@ recordings::InspectionContext inspection_beliefs(const CaseFile& believed, const
     recordings::InspectionContext context{.geometry = geometry_of(parameters.vehicle),
                                           .wheel_radius_m = parameters.vehicle.wheel_radius_m,
                                           .sleeper_spacing_m = parameters.track.spacing_m,
-                                          .predicted = {}};
-    if (recording.description.kind != recordings::RecordingKind::timeseries) return context;
+                                          .predicted = {},
+                                          .track = {}};
     try {
         pem::check(parameters);
+        if (is_of_track(recording.description.kind)) {
+            context.track = predicted_track(parameters, recording.description);
+            return context;
+        }
         const pem::Solution solution =
             pem::solve_judged(parameters, stated > 0.0 ? stated : parameters.running.speeds_m_per_s.front()).solution;
         for (const ChannelDescription& channel : recording.description.channels)

@@ -10,6 +10,7 @@
 #include "app/schema/recording_schema.hpp"
 #include "app/schema/sweep_schema.hpp"
 #include "app/verbs/verbs.hpp"
+#include "recordings/checks/check_tables.hpp"
 #include "recordings/files/visible_text.hpp"
 #include "recordings/loading/load_recording.hpp"
 
@@ -36,6 +37,8 @@ int validate_recording(const std::string& path) {
     reading_data(file, [&] {
         recordings::load_in_sections(file.description, file.base, kSection, [&](const recordings::Recording& section) {
             if (section.series.start_s == 0.0) contradictions = section.contradictions;
+            for (recordings::Fault& fault : recordings::checks::check_tables(section, {}))
+                contradictions.push_back(std::move(fault));
         });
     });
     for (const recordings::Fault& fault : contradictions)

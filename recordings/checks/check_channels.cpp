@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "recordings/checks/checks.hpp"
 
@@ -42,81 +41,6 @@ void check_duplicates(const Evidence& evidence, std::vector<Fault>& faults) {
                                       evidence.name(i), ij / jj, evidence.name(j), std::max(0.0, left)),
                           ij / jj, 0.0));
         }
-}
-
-/// Which wheel a channel is, judged by the delays: the order of the axle boxes that fits best, over all orders.
-void check_order(const Evidence& evidence, std::vector<Fault>& faults) {
-    if (!evidence.context.geometry) return;
-    std::vector<std::size_t> members;
-    for (const PairDelay& pair : evidence.delays)
-        for (const std::size_t channel : {pair.front, pair.rear})
-            if (evidence.series().channels[channel].description.location == Location::wheel &&
-                std::find(members.begin(), members.end(), channel) == members.end())
-                members.push_back(channel);
-    if (members.size() < 2 || members.size() > 6) return;
-    std::sort(members.begin(), members.end());
-    std::vector<double> places;
-    for (const std::size_t channel : members)
-        places.push_back(
-            evidence.context.geometry
-                ->wheels_m[static_cast<std::size_t>(evidence.series().channels[channel].description.index - 1)]);
-    std::vector<std::size_t> order(members.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    // Misfit of an order: delays against one positive slowness times the distances it implies.
-    double slowness = 0.0;  // of the order asked about last
-    const auto misfit = [&](const std::vector<std::size_t>& assigned) {
-        double xx = 0.0, xy = 0.0, yy = 0.0;
-        for (const PairDelay& pair : evidence.delays) {
-            const auto a = std::find(members.begin(), members.end(), pair.front),
-                       b = std::find(members.begin(), members.end(), pair.rear);
-            if (a == members.end() || b == members.end()) continue;
-            const double distance = places[assigned[static_cast<std::size_t>(a - members.begin())]] -
-                                    places[assigned[static_cast<std::size_t>(b - members.begin())]];
-            xx += distance * distance;
-            xy += distance * pair.delay.seconds;
-            yy += pair.delay.seconds * pair.delay.seconds;
-        }
-        slowness = xx > 0.0 ? xy / xx : 0.0;
-        return xy > 0.0 ? 1.0 - xy * xy / (xx * yy) : 1.0;
-    };
-    const double as_described = misfit(order);
-    double best = as_described;
-    std::vector<std::size_t> best_order = order, assigned = order;
-    while (std::next_permutation(assigned.begin(), assigned.end())) {
-        const double value = misfit(assigned);
-        if (value < best) {
-            best = value;
-            best_order = assigned;
-        }
-    }
-    // A sound order leaves less than a ten-thousandth; a swap of two neighbours leaves more than a hundredth.
-    if (as_described < 0.005 || best > 0.2 * as_described) return;
-    // As few pairs as one fit some order at any delay. An axle that resonates gives such delays: they say another speed
-    // than the bogies do.
-    constexpr double kSameSpeed = 0.05;
-    const auto is_of_wheels = [&](const PairDelay& pair) {
-        return std::find(members.begin(), members.end(), pair.front) != members.end();
-    };
-    const auto pairs =
-        static_cast<std::size_t>(std::count_if(evidence.delays.begin(), evidence.delays.end(), is_of_wheels));
-    misfit(best_order);
-    if (pairs < members.size() && evidence.speed &&
-        std::abs(slowness * evidence.speed->speed_m_per_s - 1.0) > kSameSpeed)
-        return;
-    std::vector<std::string> names;
-    std::string says;
-    for (std::size_t i = 0; i < members.size(); ++i)
-        if (best_order[i] != order[i]) {
-            names.push_back(evidence.name(members[i]));
-            says += fmt::format("{}{} sits where {} is described", says.empty() ? "" : ", ", evidence.name(members[i]),
-                                evidence.name(members[best_order[i]]));
-        }
-    faults.push_back(about(FaultKind::swapped, names,
-                           "by the delays between the axle boxes " + says +
-                               (names.size() == members.size() && members.size() > 2
-                                    ? ": the numbering runs from the rear, or the train ran backwards"
-                                    : ""),
-                           0.0, false_alarm));
 }
 
 /// Above 20 Hz every suspension makes the next mass quieter: wheel, bogie, body.
@@ -163,7 +87,6 @@ void check_roughness(const Evidence& evidence, std::vector<Fault>& faults) {
 
 void check_channels(const Evidence& evidence, std::vector<Fault>& faults) {
     check_duplicates(evidence, faults);
-    check_order(evidence, faults);
     if (evidence.spectra) check_roughness(evidence, faults);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "recordings/checks/body_as_rigid.hpp"
 #include "recordings/checks/checks.hpp"
 #include "recordings/estimates/confidence.hpp"
 
@@ -127,36 +128,19 @@ void check_polarity_of_bogies(const Evidence& evidence, std::vector<Fault>& faul
 /// A rigid body's centre moves with the mean of its ends: coefficients of the ends in the centre, both about 0.5.
 void check_polarity_of_body(const Evidence& evidence, std::vector<Fault>& faults) {
     const CrossSpectra& spectra = *evidence.spectra;
-    std::size_t front = spectra.size(), rear = front, centre = front;
-    for (std::size_t i = 0; i < spectra.size(); ++i) {
-        const ChannelDescription& c = spectra.channels[i];
-        if (c.location != Location::body || c.quantity != ChannelQuantity::acceleration) continue;
-        (c.position_m > 2.0 ? front : c.position_m < -2.0 ? rear : centre) = i;
-    }
-    if (front == spectra.size() || rear == spectra.size() || centre == spectra.size()) return;
-    // Normal equations of the centre on both ends, real parts, below 5 Hz where the body is rigid.
-    double ff = 0.0, rr = 0.0, fr = 0.0, cf = 0.0, cr = 0.0, cc = 0.0;
-    for (std::size_t k = 1; k < spectra.bins() && spectra.frequency_hz[k] <= 5.0; ++k) {
-        if (spectra.frequency_hz[k] < 0.5) continue;
-        ff += spectra.psd(k, front);
-        rr += spectra.psd(k, rear);
-        cc += spectra.psd(k, centre);
-        fr += spectra.at(k, front, rear).real();
-        cf += spectra.at(k, centre, front).real();
-        cr += spectra.at(k, centre, rear).real();
-    }
-    const double determinant = ff * rr - fr * fr;
-    if (determinant < 1e-3 * ff * rr || cc <= 0.0) return;
-    const double a = (cf * rr - cr * fr) / determinant, b = (cr * ff - cf * fr) / determinant;
-    const double explained = (a * cf + b * cr) / cc;
-    if (explained < 0.7 || std::min(std::abs(a), std::abs(b)) < 0.2) return;  // not a rigid body: nothing follows
-    if (a > 0.0 && b > 0.0) return;
-    const std::size_t culprit = a < 0.0 && b < 0.0 ? centre : a < 0.0 ? front : rear;
+    const auto body = body_channels(spectra);
+    if (!body) return;
+    const auto [front, centre, rear] = body->front_centre_rear;
+    const auto fit = rigid_fit(spectra, centre, front, rear);
+    // Otherwise it is not a rigid body, and nothing follows.
+    if (!fit || fit->explained < 0.7 || std::min(std::abs(fit->a), std::abs(fit->b)) < 0.2) return;
+    if (fit->a > 0.0 && fit->b > 0.0) return;
+    const std::size_t culprit = fit->a < 0.0 && fit->b < 0.0 ? centre : fit->a < 0.0 ? front : rear;
     faults.push_back(
         inverted({spectra.channels[culprit].name},
                  fmt::format("centre = {:.2f} × front {:+.2f} × rear below 5 Hz, where a body makes +0.5 and "
                              "+0.5: the sign of this channel is wrong",
-                             a, b)));
+                             fit->a, fit->b)));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "recordings/checks/checks.hpp"
+#include "recordings/checks/median.hpp"
 #include "recordings/estimates/confidence.hpp"
 #include "recordings/units.hpp"
 
@@ -155,29 +156,47 @@ void check_held(const Evidence& evidence, std::size_t channel, const std::vector
     faults.push_back(std::move(found));
 }
 
-void check_resolution(const Evidence& evidence, std::size_t channel, const std::vector<double>& sorted,
-                      std::vector<Fault>& faults) {
-    const double tolerance = same_value * (sorted.back() - sorted.front());
+/// The values that a channel takes: how many, and how far apart.
+struct Steps {
     std::size_t levels = 1;
-    double mean = sorted.front(), square = 0.0;
+    double step = 0.0;  ///< median distance of neighbouring values
+    double rms = 0.0;
+};
+
+Steps steps_of(const std::vector<double>& sorted) {
+    const double tolerance = same_value * (sorted.back() - sorted.front());
+    Steps steps;
+    std::vector<double> distances;
+    double mean = sorted.front() / static_cast<double>(sorted.size()), square = 0.0;
     for (std::size_t i = 1; i < sorted.size(); ++i) {
-        levels += sorted[i] - sorted[i - 1] > tolerance ? 1 : 0;
-        mean += sorted[i];
+        if (sorted[i] - sorted[i - 1] > tolerance) distances.push_back(sorted[i] - sorted[i - 1]);
+        mean += sorted[i] / static_cast<double>(sorted.size());
     }
-    mean /= static_cast<double>(sorted.size());
     for (const double value : sorted) square += (value - mean) * (value - mean);
-    const double rms = std::sqrt(square / static_cast<double>(sorted.size()));
-    const double step = (sorted.back() - sorted.front()) / static_cast<double>(levels > 1 ? levels - 1 : 1);
+    steps.rms = std::sqrt(square / static_cast<double>(sorted.size()));
+    steps.levels = distances.size() + 1;
+    if (!distances.empty()) steps.step = median(distances);
+    return steps;
+}
+
+/// Few digits; true where they are so few that values stand still of themselves.
+bool check_resolution(const Evidence& evidence, std::size_t channel, const std::vector<double>& sorted,
+                      std::vector<Fault>& faults) {
+    const Steps steps = steps_of(sorted);
     // Rounding adds noise of step/√12: at a tenth of the rms it is −31 dB, seen in every quiet band.
-    if (levels < 2 || sorted.size() < 10 * levels || step < 0.1 * rms) return;
+    if (steps.levels < 2 || sorted.size() < 10 * steps.levels || steps.step < 0.1 * steps.rms) return false;
+    const double noise = steps.step / std::sqrt(12.0);
+    const bool spoils = noise > 0.1 * steps.rms;  // −20 dB: seen in the level of the channel itself
+    const std::string unit = value_unit(evidence.series().channels[channel].description);
     Fault found = fault(
-        evidence, channel, FaultKind::coarse_resolution, Severity::note,
-        fmt::format(
-            "few digits: {} different values, steps of {:.3g} of the rms; the rounding is noise of {:.3g} {} rms",
-            levels, step / rms, step / std::sqrt(12.0), value_unit(evidence.series().channels[channel].description)));
-    found.value = step;
-    found.unit = value_unit(evidence.series().channels[channel].description);
+        evidence, channel, FaultKind::coarse_resolution, spoils ? Severity::warning : Severity::note,
+        fmt::format("few digits: {} different values in steps of {:.3g} {}, {:.2g} of the rms; the rounding is noise "
+                    "of {:.3g} {} rms",
+                    steps.levels, steps.step, unit, steps.step / steps.rms, noise, unit));
+    found.value = steps.step;
+    found.unit = unit;
     faults.push_back(std::move(found));
+    return spoils;
 }
 
 }  // namespace
@@ -204,8 +223,7 @@ void check_samples(const Evidence& evidence, std::vector<Fault>& faults) {
             continue;
         }
         check_clipping(evidence, i, sorted, faults);
-        check_held(evidence, i, sorted, faults);
-        check_resolution(evidence, i, sorted, faults);
+        if (!check_resolution(evidence, i, sorted, faults)) check_held(evidence, i, sorted, faults);
     }
 }
 

@@ -104,6 +104,14 @@ void check_timing(const Evidence& evidence, std::vector<Fault>& faults) {
     const double gain = without.chi_squared - best.chi_squared;
     // Delays share channels, so gains are not exactly χ²₁: 36 is six standard deviations.
     if (gain < 36.0 || std::abs(best.offset) < least) return;
+    // One skew explains what is left of all delays. Where much stays, their speed or their distances are not known, and
+    // nothing follows for a single channel.
+    constexpr double kLeft = 0.1;
+    if (best.chi_squared > std::max(25.0, kLeft * without.chi_squared)) return;
+    const auto told = [&](const Fault& fault) {
+        return fault.kind == FaultKind::clock_drift && fault.channels.front() == evidence.name(channel);
+    };
+    if (std::any_of(faults.begin(), faults.end(), told)) return;
     std::vector<std::string> names = {evidence.name(channel)};
     std::string how =
         fmt::format("after {:.4g} m/s × distance is taken off all delays; it does not scale with the distance",

@@ -7,6 +7,8 @@
 
 #include "recordings/estimates/cross_spectra.hpp"
 #include "recordings/estimates/fourier_transform.hpp"
+#include "recordings/estimates/interpolation.hpp"
+#include "recordings/estimates/speed_grid.hpp"
 #include "recordings/estimates/window.hpp"
 
 namespace railpem::recordings {
@@ -50,13 +52,6 @@ std::vector<std::vector<double>> filled(const TimeSeries& series) {
     return samples;
 }
 
-/// Candidates of the first look: speeds in equal relative steps.
-struct SpeedGrid {
-    double least = 0.0, ratio = 1.0;
-    std::size_t count = 0;
-    double at(std::size_t i) const { return least * std::pow(ratio, static_cast<double>(i)); }
-};
-
 /// Whitened cross-correlation of a window of the front channel with what the rear one shows after it, by speed.
 void add_correlation(const std::vector<double>& front, const std::vector<double>& rear, std::size_t begin,
                      std::size_t length, double rate, double distance_m, const SpeedGrid& grid,
@@ -83,28 +78,6 @@ void add_correlation(const std::vector<double>& front, const std::vector<double>
         const double share = lag - std::floor(lag);
         score[i] += (1.0 - share) * correlation[at] + share * correlation[at + 1];
     }
-}
-
-/// The path of highest total score whose neighbours differ by `most` steps of the grid at most.
-std::vector<std::size_t> best_path(const std::vector<std::vector<double>>& score, std::size_t most) {
-    const std::size_t windows = score.size(), count = score.front().size();
-    std::vector<std::vector<std::size_t>> from(windows, std::vector<std::size_t>(count, 0));
-    std::vector<double> total = score.front();
-    for (std::size_t w = 1; w < windows; ++w) {
-        std::vector<double> next(count);
-        for (std::size_t i = 0; i < count; ++i) {
-            std::size_t best = i;
-            for (std::size_t j = i > most ? i - most : 0; j < std::min(count, i + most + 1); ++j)
-                if (total[j] > total[best]) best = j;
-            next[i] = total[best] + score[w][i];
-            from[w][i] = best;
-        }
-        total = std::move(next);
-    }
-    std::vector<std::size_t> path(windows);
-    path.back() = static_cast<std::size_t>(std::max_element(total.begin(), total.end()) - total.begin());
-    for (std::size_t w = windows - 1; w > 0; --w) path[w - 1] = from[w][path[w]];
-    return path;
 }
 
 /// Means over Hann weights that reach half a window to either side: what is faster no window can tell.
@@ -144,8 +117,7 @@ TrackPath path_through(std::vector<double> time, std::vector<double> speed, doub
 TrackPath first_path(const std::vector<std::vector<double>>& samples, const std::vector<SpeedPair>& pairs, double rate,
                      double expected, const RunningSpeedOptions& options) {
     constexpr double kStep = 0.004;  // relative: a quarter of what 90 Hz resolve over 18 m at 25 m/s
-    SpeedGrid grid{.least = expected * (1.0 - options.search), .ratio = 1.0 + kStep};
-    grid.count = static_cast<std::size_t>(std::log((1.0 + options.search) / (1.0 - options.search)) / kStep) + 1;
+    const SpeedGrid grid = speed_grid(expected * (1.0 - options.search), expected * (1.0 + options.search), kStep);
     const auto length = static_cast<std::size_t>(options.first_window_s * rate),
                hop = static_cast<std::size_t>(options.hop_s * rate);
     std::vector<std::vector<double>> score;
@@ -165,16 +137,6 @@ TrackPath first_path(const std::vector<std::vector<double>>& samples, const std:
                        0.5 * pairs.front().distance_m() / speed.back());
     }
     return path_through(time, smoothed(speed, options), static_cast<double>(samples.front().size()) / rate, options);
-}
-
-/// A channel at a time between its samples: the cubic through the four nearest (Catmull & Rom 1974); 0 outside.
-double sample_at(const std::vector<double>& samples, double place) {
-    const double whole = std::floor(place), t = place - whole;
-    const auto i = static_cast<long>(whole);
-    if (i < 1 || i + 2 >= static_cast<long>(samples.size())) return 0.0;
-    const double a = samples[static_cast<std::size_t>(i - 1)], b = samples[static_cast<std::size_t>(i)],
-                 c = samples[static_cast<std::size_t>(i + 1)], d = samples[static_cast<std::size_t>(i + 2)];
-    return b + 0.5 * t * (c - a + t * (2.0 * a - 5.0 * b + 4.0 * c - d + t * (3.0 * (b - c) + d - a)));
 }
 
 /// What two channels say of one window, laid on the track: spectra over waves per metre.

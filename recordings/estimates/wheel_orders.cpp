@@ -6,6 +6,7 @@
 #include <boost/math/distributions/binomial.hpp>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace railpem::recordings {
 namespace {
@@ -54,11 +55,41 @@ WheelOrders refined(const std::vector<SpectralLine>& lines, double rotation) {
     return result;
 }
 
+/// Without the lines that sleepers make, within the share that the speed may be off.
+std::vector<SpectralLine> without_sleepers(std::vector<SpectralLine> lines, double passing_hz) {
+    std::erase_if(lines, [&](const SpectralLine& line) {
+        const double order = std::round(line.frequency_hz / passing_hz);
+        return order >= 1.0 && std::abs(line.frequency_hz / passing_hz - order) < speed_share * order;
+    });
+    return lines;
+}
+
+/// Orders that speak for a rotation: all multiples of what may be the passing of sleepers are one.
+int independent_orders(const std::vector<int>& orders, double rotation, double speed) {
+    constexpr double least_spacing_m = 0.45, most_spacing_m = 0.8;
+    int fewest = static_cast<int>(orders.size());
+    for (int g = 2; g * rotation <= speed / least_spacing_m; ++g) {
+        if (g * rotation < speed / most_spacing_m) continue;
+        const auto multiples = std::count_if(orders.begin(), orders.end(), [&](int order) { return order % g == 0; });
+        if (multiples > 1) fewest = std::min(fewest, static_cast<int>(orders.size()) - static_cast<int>(multiples) + 1);
+    }
+    return fewest;
+}
+
+/// Whether all orders are multiples of one above the first: then the rotation could as well be that many times as fast.
+bool share_a_factor(const std::vector<int>& orders) {
+    int common = 0;
+    for (const int order : orders) common = std::gcd(common, order);
+    return common > 1;
+}
+
 }  // namespace
 
 std::optional<WheelOrders> wheel_orders_of(const std::vector<std::vector<SpectralLine>>& lines_of_channels,
-                                           double speed_m_per_s) {
-    const std::vector<SpectralLine> lines = distinct(lines_of_channels);
+                                           double speed_m_per_s, double sleeper_spacing_m) {
+    std::vector<SpectralLine> lines = distinct(lines_of_channels);
+    if (sleeper_spacing_m > 0.0 && speed_m_per_s > 0.0)
+        lines = without_sleepers(std::move(lines), speed_m_per_s / sleeper_spacing_m);
     if (lines.size() < 3 || speed_m_per_s <= 0.0) return std::nullopt;
     const double low = (1.0 - speed_share) * speed_m_per_s / (2.0 * std::numbers::pi * most_radius_m),
                  high = (1.0 + speed_share) * speed_m_per_s / (2.0 * std::numbers::pi * least_radius_m);
@@ -72,13 +103,15 @@ std::optional<WheelOrders> wheel_orders_of(const std::vector<std::vector<Spectra
     const double distinct_rotations = (high - low) * (highest / low) / widest;
     WheelOrders best;
     for (double rotation = low; rotation <= high; rotation += step) {
-        int count = 0;
+        std::vector<int> orders;
         double chance = 0.0;
         for (const SpectralLine& line : lines) {
-            count += fits(line, rotation) ? 1 : 0;
+            if (fits(line, rotation)) orders.push_back(static_cast<int>(std::round(line.frequency_hz / rotation)));
             chance += 2.0 * tolerance(line) / rotation / static_cast<double>(lines.size());
         }
-        if (count < 3 || chance >= 1.0) continue;
+        const int count = sleeper_spacing_m > 0.0 ? static_cast<int>(orders.size())
+                                                  : independent_orders(orders, rotation, speed_m_per_s);
+        if (count < 3 || chance >= 1.0 || share_a_factor(orders)) continue;
         const double p =
             distinct_rotations * boost::math::cdf(boost::math::complement(
                                      boost::math::binomial(static_cast<double>(lines.size()), chance), count - 1));

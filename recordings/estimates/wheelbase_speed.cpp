@@ -8,11 +8,6 @@
 namespace railpem::recordings {
 namespace {
 
-bool comparable(const ChannelDescription& a, const ChannelDescription& b) {
-    return a.location == b.location && a.quantity == b.quantity && a.index != b.index &&
-           (a.side == b.side || a.side == Side::unstated || b.side == Side::unstated);
-}
-
 double relative_error(const PairDelay& pair) {
     // Below a hundredth of a percent the ripple of the phase, not the noise, decides: no pair is believed better than
     // that.
@@ -41,6 +36,11 @@ Mean weighted_mean(const std::vector<PairDelay>& pairs, const std::vector<bool>&
 }
 
 }  // namespace
+
+bool meet_alike(const ChannelDescription& a, const ChannelDescription& b) {
+    return a.location == b.location && a.quantity == b.quantity && a.index != b.index &&
+           (a.side == b.side || a.side == Side::unstated || b.side == Side::unstated);
+}
 
 std::optional<double> place_along(const ChannelDescription& channel, const VehicleGeometry& geometry) {
     if (channel.location == Location::wheel && channel.index >= 1 && channel.index <= 4)
@@ -72,14 +72,14 @@ std::vector<PairDelay> wheelbase_delays(const TimeSeries& series, const VehicleG
     for (const Channel& a : series.channels)
         for (const Channel& b : series.channels)
             if (const auto distance = distance_between(a.description, b.description, geometry);
-                distance && comparable(a.description, b.description))
+                distance && meet_alike(a.description, b.description))
                 farthest = std::max(farthest, *distance);
     const double longest = farthest / range.least_m_per_s;
     for (std::size_t i = 0; i < samples.size(); ++i)
         for (std::size_t j = 0; j < samples.size(); ++j) {
             const ChannelDescription &a = series.channels[i].description, &b = series.channels[j].description;
             const auto distance = distance_between(a, b, geometry);
-            if (!distance || *distance <= 0.0 || !comparable(a, b)) continue;
+            if (!distance || *distance <= 0.0 || !meet_alike(a, b)) continue;
             PairDelay pair{i, j, *distance,
                            estimate_delay(samples[i], samples[j], series.sampling_rate_hz,
                                           {.least_s = -longest, .most_s = longest})};

@@ -37,6 +37,9 @@ struct SpeedRange {
     double most_m_per_s = 120.0;
 };
 
+/// Two channels of one kind, at two places along one rail: one shows later what the other did.
+bool meet_alike(const ChannelDescription& a, const ChannelDescription& b);
+
 /// Place of a channel along the track, m from the centre of the body; nothing where it has none.
 std::optional<double> place_along(const ChannelDescription& channel, const VehicleGeometry& geometry);
 

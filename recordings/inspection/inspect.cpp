@@ -69,6 +69,11 @@ void join_speed(const InspectionReport& one, double share, InspectionReport& all
             share * (1.0 - share) * apart * apart);
         all.stated_speed_m_per_s = weighted(all.stated_speed_m_per_s, one.stated_speed_m_per_s, share);
     }
+    if (!all.speed_along.read_from.empty() && one.speed_along.read_from == all.speed_along.read_from) {
+        all.speed_along.mean_m_per_s = weighted(all.speed_along.mean_m_per_s, one.speed_along.mean_m_per_s, share);
+        all.speed_along.lowest_m_per_s = std::min(all.speed_along.lowest_m_per_s, one.speed_along.lowest_m_per_s);
+        all.speed_along.highest_m_per_s = std::max(all.speed_along.highest_m_per_s, one.speed_along.highest_m_per_s);
+    }
     if (one.speed_m_per_s <= 0.0) return;
     const auto weight = [](const InspectionReport& report) {
         return report.speed_m_per_s > 0.0 ? 1.0 / std::max(1e-18, std::pow(report.speed_error_m_per_s, 2)) : 0.0;

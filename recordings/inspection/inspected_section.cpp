@@ -8,8 +8,10 @@
 #include <limits>
 
 #include "parameters/parameter_error.hpp"
+#include "recordings/checks/check_tables.hpp"
 #include "recordings/checks/checks.hpp"
-#include "recordings/estimates/decimate.hpp"
+#include "recordings/checks/consequences.hpp"
+#include "recordings/checks/true_places.hpp"
 #include "recordings/files/visible_text.hpp"
 #include "recordings/inspection/inspection_steps.hpp"
 #include "recordings/inspection/spectrogram.hpp"
@@ -36,41 +38,51 @@ std::optional<CrossSpectra> spectra_of(const TimeSeries& series) {
     }
 }
 
-/// A record that is sampled much faster than lines and delays need is thinned for them.
-void thin(checks::Evidence& evidence) {
-    const double rate = evidence.series().sampling_rate_hz;
-    const std::size_t factor = decimation_factor(rate, checks::highest_line_hz);
-    if (factor < 2) return;
-    evidence.thinned_rate_hz = rate / static_cast<double>(factor);
-    for (const std::vector<double>& samples : evidence.detrended)
-        evidence.thinned.push_back(decimated(samples, rate, factor, checks::highest_line_hz));
+/// From the delays where they say it, else from a speed channel, else as stated.
+SpeedAlong speed_along(const checks::Evidence& evidence, const StatedSpeed& stated) {
+    const auto between = [&](const std::vector<double>& speeds, double mean, const char* from) {
+        SpeedAlong along{mean, 1e300, 0.0, from};
+        for (const double v : speeds)
+            if (std::isfinite(v)) {
+                along.lowest_m_per_s = std::min(along.lowest_m_per_s, v);
+                along.highest_m_per_s = std::max(along.highest_m_per_s, v);
+            }
+        if (!evidence.stops.empty()) along.lowest_m_per_s = 0.0;
+        return along;
+    };
+    if (evidence.running)
+        return between(evidence.running->path.speed_m_per_s, evidence.running->path.mean_m_per_s(), "delays");
+    if (evidence.recording.description.speed_m_per_s > 0.0)
+        return between({stated.m_per_s}, stated.m_per_s, "description");
+    if (stated.m_per_s > 0.0) return between(evidence.series().speed_m_per_s, stated.m_per_s, "speed channel");
+    return {};
 }
 
-TimeSeries thinned_series(const checks::Evidence& evidence) {
-    TimeSeries series;
-    series.sampling_rate_hz = evidence.thinned_rate_hz;
-    for (std::size_t i = 0; i < evidence.thinned.size(); ++i)
-        series.channels.push_back({evidence.series().channels[i].description, evidence.thinned[i], {}});
-    return series;
-}
-
-checks::Evidence gather(const Recording& recording, const InspectionContext& context,
-                        const std::optional<CrossSpectra>& spectra) {
-    checks::Evidence evidence{recording, context, spectra ? &*spectra : nullptr, {}, {}, {}, {}, {}, 0.0};
-    for (const Channel& channel : recording.series.channels)
-        evidence.detrended.push_back(detrended_without_gaps(channel.samples));
-    thin(evidence);
-    const bool thinned = !evidence.thinned.empty();
-    for (std::size_t i = 0; i < evidence.detrended.size(); ++i)
-        evidence.lines.push_back(find_lines(evidence.slow(i), evidence.slow_rate_hz(),
-                                            thinned ? LineOptions{.to_hz = checks::highest_line_hz} : LineOptions{}));
-    if (context.geometry) {
-        evidence.delays = thinned ? wheelbase_delays(thinned_series(evidence), *context.geometry, {})
-                                  : wheelbase_delays(recording.series, *context.geometry, {});
-        evidence.speed = wheelbase_speed(evidence.delays);
+/// A recording and its spectra with channels at their true places: copies only where some were exchanged.
+class AtTruePlaces {
+  public:
+    AtTruePlaces(const Recording& recording, const std::optional<CrossSpectra>& spectra,
+                 const checks::TruePlaces& places)
+        : recording_(recording), spectra_(spectra) {
+        if (places.exchanges.empty()) return;
+        placed_ = recording;
+        for (std::size_t i = 0; i < places.channels.size(); ++i)
+            placed_->series.channels[i].description = places.channels[i];
+        placed_spectra_ = spectra;
+        if (placed_spectra_) placed_spectra_->channels = places.channels;
     }
-    return evidence;
-}
+    const Recording& recording() const { return placed_ ? *placed_ : recording_; }
+    const CrossSpectra* spectra() const {
+        const std::optional<CrossSpectra>& seen = placed_ ? placed_spectra_ : spectra_;
+        return seen ? &*seen : nullptr;
+    }
+
+  private:
+    const Recording& recording_;
+    const std::optional<CrossSpectra>& spectra_;
+    std::optional<Recording> placed_;
+    std::optional<CrossSpectra> placed_spectra_;
+};
 
 void add_channel(const checks::Evidence& evidence, std::size_t i, InspectionReport& report) {
     const Channel& channel = evidence.series().channels[i];
@@ -147,10 +159,13 @@ void add_not_checked(const checks::Evidence& evidence, InspectionReport& report)
 }
 
 void run_checks(const checks::Evidence& evidence, std::vector<Fault>& faults) {
+    // What explains others comes before them: a channel of few digits is not clipped, one without signal above some
+    // frequency has its unit, a clock that drifts is no skew.
     for (const auto check :
-         {checks::check_samples, checks::check_soft_clipping, checks::check_offset, checks::check_unit,
-          checks::check_channels, checks::check_polarity, checks::check_timing, checks::check_mains,
-          checks::check_aliasing, checks::check_sampling, checks::check_stationarity, checks::check_impacts})
+         {checks::check_stops, checks::check_samples, checks::check_soft_clipping, checks::check_offset,
+          checks::check_band_limit, checks::check_unit, checks::check_channels, checks::check_polarity,
+          checks::check_clock, checks::check_timing, checks::check_mains, checks::check_aliasing,
+          checks::check_sampling, checks::check_speed, checks::check_stationarity, checks::check_impacts})
         check(evidence, faults);
 }
 
@@ -194,7 +209,13 @@ InspectedSection inspect_section(const Recording& recording, const InspectionCon
     InspectedSection section{header(recording), std::nullopt};
     InspectionReport& report = section.report;
     if (report.kind != RecordingKind::timeseries) {
+        report.faults = checks::check_tables(recording, context);
+        sort_faults(report.faults);
         report.not_checked.emplace_back("sensors: this kind of data holds no time series");
+        const bool is_table = recording.description.kind == RecordingKind::receptance ||
+                              recording.description.kind == RecordingKind::decay_rate;
+        if (is_table ? context.track.frequency_hz.empty() : context.predicted.empty())
+            report.not_checked.emplace_back("sizes against a prediction: no case was given");
         return section;
     }
     const TimeSeries& series = recording.series;
@@ -202,14 +223,26 @@ InspectedSection inspect_section(const Recording& recording, const InspectionCon
     report.sampling_rate_hz = series.sampling_rate_hz;
     report.samples = series.size();
     section.spectra = spectra_of(series);
-    const checks::Evidence evidence = gather(recording, context, section.spectra);
+    std::vector<std::vector<double>> detrended;
+    for (const Channel& channel : series.channels) detrended.push_back(detrended_without_gaps(channel.samples));
+    const checks::TruePlaces places =
+        checks::true_places(series, context, detrended, section.spectra ? &*section.spectra : nullptr);
+    const AtTruePlaces seen(recording, section.spectra, places);
+    const checks::Evidence evidence =
+        checks::gather_evidence(seen.recording(), context, seen.spectra(), std::move(detrended), places);
+    report.faults = places.exchanges;
+    report.speed_along = speed_along(evidence, stated_speed(recording));
     if (evidence.speed) {
         report.speed_m_per_s = evidence.speed->speed_m_per_s;
         report.speed_error_m_per_s = evidence.speed->standard_error_m_per_s;
         report.speed_pairs = evidence.speed->pairs_used;
     }
-    for (std::size_t i = 0; i < series.channels.size(); ++i) add_channel(evidence, i, report);
+    for (std::size_t i = 0; i < series.channels.size(); ++i) {
+        add_channel(evidence, i, report);
+        report.channels.back().description = series.channels[i].description;
+    }
     run_checks(evidence, report.faults);
+    checks::drop_consequences(report.faults);
     sort_faults(report.faults);
     report.spectrograms = spectrograms_of(series);
     add_not_checked(evidence, report);

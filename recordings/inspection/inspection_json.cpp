@@ -136,12 +136,17 @@ nlohmann::ordered_json to_json(const InspectionReport& report) {
         j["coherence_limit"] = or_null(report.coherence_limit);
         j["bin_interval_db"] = {or_null(report.interval_low_db), or_null(report.interval_high_db)};
     }
-    j["speed"] = {
-        {"stated_m_per_s", report.stated_speed_m_per_s > 0.0 ? Json(report.stated_speed_m_per_s) : Json(nullptr)},
-        {"stated_standard_error_m_per_s", report.stated_speed_error_m_per_s},
-        {"from_delays_m_per_s", report.speed_m_per_s > 0.0 ? Json(report.speed_m_per_s) : Json(nullptr)},
-        {"from_delays_standard_error_m_per_s", report.speed_error_m_per_s},
-        {"pairs", report.speed_pairs}};
+    const auto or_unknown = [](double speed) { return speed > 0.0 ? Json(speed) : Json(nullptr); };
+    const bool known = !report.speed_along.read_from.empty();
+    j["speed"] = {{"mean_m_per_s", or_unknown(report.speed_along.mean_m_per_s)},
+                  {"lowest_m_per_s", known ? Json(report.speed_along.lowest_m_per_s) : Json(nullptr)},
+                  {"highest_m_per_s", or_unknown(report.speed_along.highest_m_per_s)},
+                  {"read_from", known ? Json(report.speed_along.read_from) : Json(nullptr)},
+                  {"stated_m_per_s", or_unknown(report.stated_speed_m_per_s)},
+                  {"stated_standard_error_m_per_s", report.stated_speed_error_m_per_s},
+                  {"from_delays_m_per_s", or_unknown(report.speed_m_per_s)},
+                  {"from_delays_standard_error_m_per_s", report.speed_error_m_per_s},
+                  {"pairs", report.speed_pairs}};
     if (report.wheel_orders)
         j["wheel_rotation"] = {{"rotation_hz", report.wheel_orders->rotation_hz},
                                {"standard_error_hz", report.wheel_orders->rotation_error_hz},

@@ -42,6 +42,12 @@ struct Spectrogram {
     std::vector<float> level_db;  ///< [time][bin], re 1 SI²/Hz; NaN where a sample is missing
 };
 
+/// The speed along a record, and where it was read from.
+struct SpeedAlong {
+    double mean_m_per_s = 0.0, lowest_m_per_s = 0.0, highest_m_per_s = 0.0;
+    std::string read_from;  ///< "delays", "speed channel" or "description"; "": not known
+};
+
 /// A frequency that has a name at the speed of the record.
 struct NamedFrequency {
     double frequency_hz = 0.0;
@@ -73,6 +79,7 @@ struct InspectionReport {
     MeasuredDecayRate decay_rate;          ///< kind decay-rate
     MeasuredIrregularity irregularity;     ///< that the recording brings, without the samples of its profile
     double profile_length_m = 0.0, profile_step_m = 0.0, profile_rms_m = 0.0;  ///< 0: not a profile; rms without mean
+    SpeedAlong speed_along;
 };
 
 }  // namespace railpem::recordings

@@ -54,7 +54,7 @@ void name_lines(const InspectionContext& context, InspectionReport& report) {
                                                           : std::max(0.01 * speed, report.stated_speed_error_m_per_s);
     std::vector<std::vector<SpectralLine>> lines;
     for (const ChannelInspection& channel : report.channels) lines.push_back(channel.lines);
-    report.wheel_orders = wheel_orders_of(lines, speed);
+    report.wheel_orders = wheel_orders_of(lines, speed, context.sleeper_spacing_m);
     for (ChannelInspection& channel : report.channels)
         for (const SpectralLine& line : channel.lines) {
             std::string name = name_of_line(line.frequency_hz, speed, speed_error, context);

@@ -38,6 +38,11 @@ std::string speed_words(const InspectionReport& report) {
         words += fmt::format("{}{:.5g} ± {:.2g} m/s by the delays of {} pair{} of channels (90 %)",
                              words.empty() ? "Speed: " : ", ", report.speed_m_per_s, 1.645 * report.speed_error_m_per_s,
                              report.speed_pairs, report.speed_pairs > 1 ? "s" : "");
+    const SpeedAlong& along = report.speed_along;
+    if (!along.read_from.empty() && along.read_from != "description")
+        words += fmt::format("{}{:.4g} m/s in the mean, {:.4g} to {:.4g} m/s along the record, by the {}",
+                             words.empty() ? "Speed: " : "; ", along.mean_m_per_s, along.lowest_m_per_s,
+                             along.highest_m_per_s, along.read_from);
     if (report.wheel_orders) {
         const WheelOrders& w = *report.wheel_orders;
         const double speed = report.speed_m_per_s > 0.0 ? report.speed_m_per_s : report.stated_speed_m_per_s;
@@ -116,7 +121,7 @@ std::vector<TableFact> table_facts(const InspectionReport& report) {
 }
 
 std::string verdict_of(const InspectionReport& report) {
-    if (report.kind != RecordingKind::timeseries)
+    if (report.kind != RecordingKind::timeseries && report.faults.empty())
         return "Read. Faults of the sensors cannot be looked for in this kind of data.";
     const auto count = [&](Severity severity) {
         return std::count_if(report.faults.begin(), report.faults.end(),

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "faulty_record.hpp"
+#include "recordings/estimates/interpolation.hpp"
 
 namespace railpem::recordings::testing {
 namespace {
@@ -131,6 +132,32 @@ TEST(Faults, SpeedThatChanges) {
     EXPECT_NEAR(faults[0].value, 0.05, 0.015);
 }
 
+TEST(Faults, ASpeedInAnotherUnitIsNamedWhereverItIsStated) {
+    Recording recording = sound();
+    recording.description.speed_m_per_s = 3.6 * settings().speed_m_per_s;
+    auto faults = found(recording, FaultKind::speed_mismatch);
+    ASSERT_EQ(faults.size(), 1U);
+    EXPECT_NE(faults[0].says.find("km/h taken for m/s"), std::string::npos) << faults[0].says;
+    recording.description.speed_m_per_s = 0.0;
+    recording.series.speed_m_per_s.assign(recording.series.size(), 3.6 * settings().speed_m_per_s);
+    faults = found(recording, FaultKind::speed_mismatch);
+    ASSERT_EQ(faults.size(), 1U);
+    EXPECT_EQ(faults[0].severity, Severity::error);
+}
+
+TEST(Faults, AClockThatRunsFasterIsToldInPartsPerMillion) {
+    constexpr double kDrift = 200e-6;
+    Recording recording = make_record({.duration_s = 48.0, .sampling_rate_hz = 500.0, .seed = 21});
+    auto& x = samples(recording, "axlebox_3");
+    const std::vector<double> before = x;
+    for (std::size_t n = 0; n < x.size(); ++n) x[n] = sample_at(before, static_cast<double>(n) * (1.0 - kDrift));
+    const InspectionReport report = inspect(recording, context());
+    ASSERT_EQ(report.faults.size(), 1U) << report.faults[1].says;
+    EXPECT_EQ(report.faults[0].kind, FaultKind::clock_drift) << report.faults[0].says;
+    EXPECT_EQ(report.faults[0].channels, std::vector<std::string>{"axlebox_3"});
+    EXPECT_NEAR(report.faults[0].value, 1e6 * kDrift, 10.0);
+}
+
 TEST(Faults, SpeedOtherThanStated) {
     Recording recording = sound();
     recording.description.speed_m_per_s *= 1.02;
@@ -149,6 +176,7 @@ TEST(Faults, Stop) {
     ASSERT_EQ(faults.size(), 1U);
     EXPECT_NEAR(faults[0].from_s, 10.0, 0.51);
     EXPECT_NEAR(faults[0].to_s, 16.0, 0.51);
+    EXPECT_EQ(inspect(recording, context()).faults.size(), 1U);  // and nothing else is blamed
 }
 
 TEST(Faults, Impacts) {

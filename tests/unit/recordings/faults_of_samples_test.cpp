@@ -65,6 +65,35 @@ TEST(Faults, CoarseResolution) {
     ASSERT_NO_FATAL_FAILURE(expect_only(found(recording, FaultKind::coarse_resolution), "axlebox_1"));
 }
 
+TEST(Faults, FewDigitsAreNotHeldAndNotClipped) {
+    Recording recording = sound();
+    const double step = 1.5 * rms(samples(recording, "body_front"));
+    for (const char* name : {"body_front", "body_rear", "axlebox_1"})
+        for (double& v : samples(recording, name)) v = step * std::round(v / step);
+    const InspectionReport report = inspect(recording, context());
+    ASSERT_EQ(report.faults.size(), 2U);
+    for (const Fault& fault : report.faults) {
+        EXPECT_EQ(fault.kind, FaultKind::coarse_resolution) << fault.says;
+        EXPECT_EQ(fault.severity, Severity::warning);
+        EXPECT_NEAR(fault.value / step, 1.0, 1e-6);
+    }
+}
+
+TEST(Faults, ClippingOnOneSideWithNoiseOfALaterStage) {
+    for (const double side : {1.0, -1.0}) {
+        Recording recording = make_record({.duration_s = 34.0, .seed = 5});
+        auto& x = samples(recording, "axlebox_2");
+        const double limit = 1.8 * rms(x);
+        std::mt19937_64 generator(4);
+        std::normal_distribution<double> normal(0.0, 0.001 * limit);
+        for (double& v : x) v = side * std::min(side * v, limit) + normal(generator);
+        const auto faults = found(recording, FaultKind::clipping);
+        ASSERT_NO_FATAL_FAILURE(expect_only(faults, "axlebox_2"));
+        EXPECT_TRUE(faults[0].says.starts_with(side > 0.0 ? "clipped on the upper" : "clipped on the lower"))
+            << faults[0].says;
+    }
+}
+
 TEST(Faults, Constant) {
     Recording recording = sound();
     auto& x = samples(recording, "body_rear");
