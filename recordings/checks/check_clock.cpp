@@ -47,6 +47,7 @@ std::vector<PartDelay> part_delays(const Evidence& evidence) {
                                         rate, *place_along(evidence.series().channels[i].description, geometry),
                                         evidence.running->path);
     constexpr double kPart_s = 8.0, kReach_s = 0.5;
+    const double highest_hz = RunningSpeedOptions{}.to_hz;  // as in laid_delays()
     const double duration = static_cast<double>(to - from) / rate;
     const std::size_t count = std::min<std::size_t>(8, static_cast<std::size_t>(duration / kPart_s));
     std::vector<PartDelay> delays;
@@ -54,7 +55,7 @@ std::vector<PartDelay> part_delays(const Evidence& evidence) {
         for (std::size_t part = 0; part < count; ++part) {
             const Delay delay =
                 estimate_delay(part_of(laid[pair.front], part, count), part_of(laid[pair.rear], part, count), rate,
-                               {.least_s = -kReach_s, .most_s = kReach_s, .window_s = 1.0});
+                               {.least_s = -kReach_s, .most_s = kReach_s, .to_hz = highest_hz, .window_s = 1.0});
             if (!delay.found) continue;
             const double time = (static_cast<double>(part) + 0.5) * duration / static_cast<double>(count);
             // As in check_timing(): no delay is believed better than 50 µs.

@@ -11,7 +11,7 @@ struct Consequence {
     FaultKind cause, looks_like;
 };
 
-constexpr std::array<Consequence, 12> consequences = {{
+constexpr std::array<Consequence, 13> consequences = {{
     {FaultKind::stop, FaultKind::low_frequency_noise},  // a level that steps has all slow frequencies in it
     {FaultKind::stop, FaultKind::not_stationary},
     {FaultKind::stop, FaultKind::impacts},    // the first wave after standing still
@@ -23,7 +23,8 @@ constexpr std::array<Consequence, 12> consequences = {{
     {FaultKind::clipping, FaultKind::impacts},             // so is the edge at which a channel is cut
     {FaultKind::band_limited, FaultKind::not_stationary},  // what is left above the filter is no vibration
     {FaultKind::band_limited, FaultKind::impacts},
-    {FaultKind::wrong_unit, FaultKind::inverted},  // a displacement is against its acceleration
+    {FaultKind::wrong_unit, FaultKind::timing_skew},  // an integral has another phase
+    {FaultKind::wrong_unit, FaultKind::inverted},     // a displacement is against its acceleration
 }};
 
 bool shares_channel(const Fault& a, const Fault& b) {
@@ -69,12 +70,14 @@ void settle_exchanged_places(std::vector<Fault>& faults) {
             faults.erase(faults.begin() + static_cast<std::ptrdiff_t>(i--));
             continue;
         }
+        const auto is_exchanged = [&](const std::string& name) { return name == pair[0] || name == pair[1]; };
+        // Of two channels one is wrong: where one of them is exchanged, nothing is left to tell of the other.
+        std::erase_if(faults, [&](const Fault& fault) {
+            return fault.kind == FaultKind::wrong_unit && fault.channels.size() <= 2 &&
+                   std::any_of(fault.channels.begin(), fault.channels.end(), is_exchanged);
+        });
         for (Fault& fault : faults)
-            if (fault.kind == FaultKind::wrong_unit)
-                std::erase_if(fault.channels,
-                              [&](const std::string& name) { return name == pair[0] || name == pair[1]; });
-        std::erase_if(faults,
-                      [](const Fault& fault) { return fault.kind == FaultKind::wrong_unit && fault.channels.empty(); });
+            if (fault.kind == FaultKind::wrong_unit) std::erase_if(fault.channels, is_exchanged);
         return settle_exchanged_places(faults);
     }
 }

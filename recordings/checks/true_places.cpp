@@ -102,8 +102,6 @@ GroupOrder order_of(const Group& group, const std::vector<std::vector<double>>& 
             best_order = order;
         }
     }
-    fmt::print(stderr, "order {} described {:.3f} best {:.3f} ({})\n", group.members.size(), described.correlation,
-               best.correlation, fmt::join(best_order, " "));
     if (best.correlation > kMet && best.correlation > kClearlyBetter * described.correlation)
         result.stands_at = best_order;
     else
@@ -119,7 +117,6 @@ GroupOrder order_of_pair(const Group& pair, const std::vector<std::vector<double
     GroupOrder result{.group = pair, .stands_at = {0, 1}, .speed_m_per_s = {}};
     const double described = correlation_at(correlations, pair.places_m, speeds),
                  exchanged = correlation_at(correlations, {pair.places_m[1], pair.places_m[0]}, speeds);
-    fmt::print(stderr, "pair described {:.3f} exchanged {:.3f}\n", described, exchanged);
     if (exchanged > kMet && exchanged > kClearlyBetter * described) result.stands_at = {1, 0};
     return result;
 }

@@ -6,6 +6,7 @@
 
 #include "recordings/estimates/cross_spectra.hpp"
 #include "recordings/estimates/interpolation.hpp"
+#include "recordings/estimates/running_speed.hpp"
 
 namespace railpem::recordings {
 
@@ -28,6 +29,7 @@ std::vector<PairDelay> laid_delays(const TimeSeries& series, const VehicleGeomet
             laid[i] = laid_on_track(samples, rate, *place, path);
         }
     constexpr double kMostSkew_s = 1.0;  // loggers that start by hand differ by more, and then by many seconds
+    const double highest_hz = RunningSpeedOptions{}.to_hz;  // above, wheels of one bogie hear each other
     std::vector<PairDelay> pairs;
     for (std::size_t i = 0; i < laid.size(); ++i)
         for (std::size_t j = 0; j < laid.size(); ++j) {
@@ -35,7 +37,8 @@ std::vector<PairDelay> laid_delays(const TimeSeries& series, const VehicleGeomet
             const auto distance = distance_between(a, b, geometry);
             if (!distance || *distance <= 0.0 || !meet_alike(a, b)) continue;
             PairDelay pair{i, j, *distance,
-                           estimate_delay(laid[i], laid[j], rate, {.least_s = -kMostSkew_s, .most_s = kMostSkew_s})};
+                           estimate_delay(laid[i], laid[j], rate,
+                                          {.least_s = -kMostSkew_s, .most_s = kMostSkew_s, .to_hz = highest_hz})};
             pair.delay.seconds += *distance / mean;
             if (pair.delay.found) pairs.push_back(pair);
         }
