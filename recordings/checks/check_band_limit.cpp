@@ -61,7 +61,10 @@ std::optional<Limit> limit_by_prediction(const LevelDifferences& differences) {
     if (silent < octave || static_cast<double>(silent) < kNearlyAll * static_cast<double>(above.size()))
         return std::nullopt;
     if (octave_above.empty() || median(octave_above) > kOctaveAbove_db) return std::nullopt;
-    return Limit{differences.frequency_hz[first] * std::pow(10.0, -0.05), -median(above)};
+    constexpr double kEdge_db = -6.0;  // a band whose half a filter has taken
+    std::size_t edge = first;
+    while (edge > 0 && level[edge - 1] < kEdge_db) --edge;
+    return Limit{differences.frequency_hz[edge] * std::pow(10.0, -0.05), -median(above)};
 }
 
 /// By itself: a fall of 40 dB within an octave, as no wheel, bogie or body has, below a quarter of half the sampling

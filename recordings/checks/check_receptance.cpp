@@ -22,7 +22,7 @@ double usual_receptance(double frequency_hz) {
     constexpr double kLevel_m_per_n = 1e-8, kResonance_hz = 300.0;
     return kLevel_m_per_n / (1.0 + std::pow(frequency_hz / kResonance_hz, 1.5));
 }
-constexpr double kUsualScatter_db = 10.0;
+constexpr double kUsualScatter_db = 12.0;
 /// Of a case: soft and hard pads, and ballast or none, make two and a half in receptance.
 constexpr double kCaseScatter_db = 8.0;
 

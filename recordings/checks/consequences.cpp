@@ -48,13 +48,11 @@ bool follows(const Fault& fault, const std::vector<Fault>& faults) {
     return false;
 }
 
-/// Whether a channel is told to have a wrong unit, and the sign of what its level is off.
-int wrong_level(const std::vector<Fault>& faults, const std::string& channel) {
-    for (const Fault& fault : faults)
-        if (fault.kind == FaultKind::wrong_unit &&
-            std::find(fault.channels.begin(), fault.channels.end(), channel) != fault.channels.end())
-            return fault.value > 1.0 ? 1 : -1;
-    return 0;
+bool has_wrong_unit(const std::vector<Fault>& faults, const std::string& channel) {
+    return std::any_of(faults.begin(), faults.end(), [&](const Fault& fault) {
+        return fault.kind == FaultKind::wrong_unit &&
+               std::find(fault.channels.begin(), fault.channels.end(), channel) != fault.channels.end();
+    });
 }
 
 /// A wheel or bogie exchanged with a quieter place makes one channel too loud and the other too quiet; a wrong unit
@@ -64,9 +62,9 @@ void settle_exchanged_places(std::vector<Fault>& faults) {
         // Of a size: told by roughness. An exchange of like channels has none.
         if (faults[i].kind != FaultKind::swapped || faults[i].channels.size() != 2 || faults[i].value <= 0.0) continue;
         const std::vector<std::string> pair = faults[i].channels;
-        const int first = wrong_level(faults, pair[0]), second = wrong_level(faults, pair[1]);
-        if (first == 0 && second == 0) continue;
-        if (first * second >= 0) {
+        const bool first = has_wrong_unit(faults, pair[0]), second = has_wrong_unit(faults, pair[1]);
+        if (!first && !second) continue;
+        if (!first || !second) {
             faults.erase(faults.begin() + static_cast<std::ptrdiff_t>(i--));
             continue;
         }

@@ -69,7 +69,9 @@ int independent_orders(const std::vector<int>& orders, double rotation, double s
     constexpr double least_spacing_m = 0.45, most_spacing_m = 0.8;
     int fewest = static_cast<int>(orders.size());
     for (int g = 2; g * rotation <= speed / least_spacing_m; ++g) {
-        if (g * rotation < speed / most_spacing_m) continue;
+        // The passing itself is the strongest line of sleepers: without it there are none.
+        if (g * rotation < speed / most_spacing_m || std::find(orders.begin(), orders.end(), g) == orders.end())
+            continue;
         const auto multiples = std::count_if(orders.begin(), orders.end(), [&](int order) { return order % g == 0; });
         if (multiples > 1) fewest = std::min(fewest, static_cast<int>(orders.size()) - static_cast<int>(multiples) + 1);
     }

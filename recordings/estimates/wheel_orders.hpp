@@ -20,7 +20,7 @@ struct WheelOrders {
 /// The rotation of which most lines are multiples, among all that wheels of 0.30 to 0.65 m radius have at this speed (±
 /// 3 %). Each line fits by chance with probability 2·tolerance/rotation; the binomial tail times the number of distinct
 /// rotations tried is the false alarm. Lines of sleeper passing are no evidence for a wheel: with a spacing they are
-/// left out, without one (0) all multiples of a frequency that sleepers 0.45 to 0.8 m apart may have count as one line.
+/// left out, without one (0) all multiples of a line that sleepers 0.45 to 0.8 m apart may make count as one.
 /// Nothing when fewer than three lines fit, when all are multiples of a higher order, or when chance explains them
 /// (more than 1e-3).
 std::optional<WheelOrders> wheel_orders_of(const std::vector<std::vector<SpectralLine>>& lines_of_channels,

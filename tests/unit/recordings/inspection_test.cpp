@@ -198,6 +198,13 @@ TEST(WheelOrders, RotationFromItsMultiples) {
     EXPECT_NEAR(found->rotation_hz, 6.5444, 0.001);
     EXPECT_EQ(found->orders, (std::vector<int>{12, 16, 18, 19, 21}));
     EXPECT_EQ(name_by_rotation(150.52, *found), "wheel order 23");
+    // Sleepers 0.6 m apart are no wheel, though four times a radius of 0.38 m fits them; nor with a stranger that fits.
+    const double passing = 18.61 / 0.6;
+    const std::vector<SpectralLine> sleepers = {line(passing), line(2.0 * passing), line(3.0 * passing),
+                                                line(4.0 * passing)};
+    EXPECT_FALSE(wheel_orders_of({sleepers}, 18.61));
+    EXPECT_FALSE(wheel_orders_of({sleepers, {line(1.25 * passing)}}, 18.61));
+    EXPECT_FALSE(wheel_orders_of({sleepers, {line(1.25 * passing)}}, 18.61, 0.6));
     // Lines anywhere are multiples of nothing.
     int named = 0;
     std::mt19937_64 generator(12);
