@@ -7,6 +7,7 @@
 #include "app/tables/response_summary.hpp"
 #include "app/tables/response_tables.hpp"
 #include "pem/coupling/solution.hpp"
+#include "pem/coupling/solve_case.hpp"
 #include "pem/lines/judged_case.hpp"
 #include "pem/response_names.hpp"
 #include "python/array_view.hpp"
@@ -19,7 +20,7 @@ namespace py = pybind11;
 
 namespace {
 
-/// A case solved at one speed.
+/// A case solved at one speed. Where the case states its lines nothing but these is solved; summary() judges them then.
 struct Response {
     pem::JudgedCase judged;
     std::vector<double> psd;  ///< [response][line]
@@ -65,9 +66,11 @@ std::unique_ptr<Response> solve(const Case& self, std::optional<double> speed, i
         auto result = std::make_unique<Response>();
         result->of = self;
         try {
-            result->judged =
-                pem::solve_judged(self.file->parameters, speed_m_per_s,
-                                  {.threads = threads, .interrupted = [&] { return interruption.asked(); }});
+            const pem::SolveOptions options{.threads = threads, .interrupted = [&] { return interruption.asked(); }};
+            if (self.file->parameters.frequency.step_hz > 0.0)
+                result->judged.solution = pem::solve_case(self.file->parameters, speed_m_per_s, options);
+            else
+                result->judged = pem::solve_judged(self.file->parameters, speed_m_per_s, options);
         } catch (const parameters::ParameterError& error) {
             throw app::refused(self.file->document, error);
         }
@@ -88,8 +91,12 @@ py::array_t<std::complex<double>> pseudo_response(const py::object& object) {
 }
 
 std::string summary(const Response& self) {
-    return app::summary_text(*self.of.file, app::plausibility_warnings(*self.of.file, app::case_figures(*self.of.file)),
-                             {app::response_spectra(self.judged)});
+    const pem::CaseParameters& parameters = self.of.file->parameters;
+    const bool judged = parameters.frequency.step_hz <= 0.0;
+    return app::summary_text(
+        *self.of.file, app::plausibility_warnings(*self.of.file, app::case_figures(*self.of.file)),
+        {app::response_spectra(judged ? self.judged
+                                      : pem::solve_judged(parameters, self.judged.solution.speed_m_per_s, {}))});
 }
 
 }  // namespace

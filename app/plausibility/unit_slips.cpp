@@ -41,11 +41,13 @@ const std::vector<OtherUnit>& other_units(const std::string& unit) {
 
 std::string likely_unit(double value, const std::string& unit, double low, double high) {
     std::string best;
-    double nearest = std::numeric_limits<double>::infinity();
+    double nearest = std::numeric_limits<double>::infinity(), place = 0.0;
     for (const OtherUnit& other : other_units(unit)) {
         const double meant = value * other.in_si;
+        place += 1.0;
         if (!(meant >= low && meant <= high)) continue;
-        const double distance = std::abs(std::log(meant / std::sqrt(low * high)));
+        // Units stand in the order in which they are mistaken: each place counts as much as a factor of e.
+        const double distance = std::abs(std::log(meant / std::sqrt(low * high))) + place;
         if (distance < nearest) {
             nearest = distance;
             best = other.name + "?";

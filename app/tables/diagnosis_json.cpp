@@ -188,9 +188,9 @@ std::string diagnosis_json(const Diagnosis& diagnosis, const std::vector<std::st
     json["rivals"] = array_of(diagnosis.rivals, rival_json);
     json["places"] = array_of(diagnosis.places, place);
     json["mismatch"] = array_of(diagnosis.mismatch, mismatch_json);
-    json["imperfection"] = array_of(diagnosis.imperfections, imperfection_json);
     json["fit"] = fit_json(diagnosis);
     json["hidden_by_retuning"] = or_null(diagnosis.hidden_by_retuning);
+    json["imperfection"] = array_of(diagnosis.imperfections, imperfection_json);
     json["interrupted"] = diagnosis.interrupted;
     json["recordings"] = array_of(diagnosis.recordings, recording_json);
     json["numbers"] = tuned_json(diagnosis.numbers);

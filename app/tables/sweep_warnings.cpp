@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <fstream>
 #include <set>
+#include <stdexcept>
 #include <tuple>
 
 #include "app/number_table.hpp"
@@ -31,8 +34,10 @@ SweepWarnings::SweepWarnings(const fs::path& path, int rank)
 
 void SweepWarnings::add(const SweepWarning& warning) {
     const std::lock_guard lock(writing_);
-    std::ofstream(own_, std::ios::app | std::ios::binary)
-        << fmt::format("{} {} {}\n", warning.index, warning.speed_m_per_s, warning.says);
+    std::ofstream out(own_, std::ios::app | std::ios::binary);
+    out << fmt::format("{} {} {}\n", warning.index, warning.speed_m_per_s, warning.says);
+    out.close();
+    if (!out) throw std::runtime_error(fmt::format("{}: cannot be written: {}", own_.string(), std::strerror(errno)));
 }
 
 std::vector<fs::path> SweepWarnings::files() const {

@@ -37,8 +37,10 @@ int validate_recording(const std::string& path) {
     reading_data(file, [&] {
         recordings::load_in_sections(file.description, file.base, kSection, [&](const recordings::Recording& section) {
             if (section.series.start_s == 0.0) contradictions = section.contradictions;
-            for (recordings::Fault& fault : recordings::checks::check_tables(section, {}))
+            for (recordings::Fault& fault : recordings::checks::check_tables(section, {})) {
+                fault.severity = recordings::Severity::warning;  // the file is valid: inspect says how bad it is
                 contradictions.push_back(std::move(fault));
+            }
         });
     });
     for (const recordings::Fault& fault : contradictions)

@@ -43,6 +43,7 @@ Observation run_like(const Observation& known, double speed, const BelievedCase&
 Trial with_run(Trial trial, const Observation& run) {
     trial.speed_m_per_s.push_back(run.speed_m_per_s);
     trial.noise_psd.push_back(run.noise_psd);
+    trial.flicker_psd.emplace_back(run.noise_psd.size(), 0.0);
     trial.discrepancy.push_back(0.0);
     trial.log_gain.emplace_back(run.channels.size(), 0.0);
     return trial;

@@ -68,7 +68,7 @@ void set_all(const TableSchema& schema, void* owner) {
                 field.set(owner, field.description.choices.back());
                 break;
             case parameters::Kind::text:
-                field.set(owner, std::string("a \"quoted\" text\twith\\ all\n of it: é"));
+                field.set(owner, std::string("a \"quoted\" text with\\ all of it: é"));
                 break;
         }
     }

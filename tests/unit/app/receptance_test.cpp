@@ -56,12 +56,17 @@ TEST(Receptance, RangeLinesOverridesAndThreads) {
         all.insert(all.end(), {scratch.path(threads), "--threads", threads});
         ASSERT_EQ(run(all).status, 0);
     }
-    EXPECT_EQ(scratch.read("1/uic60.receptance.csv"), scratch.read("2/uic60.receptance.csv"));
-    EXPECT_EQ(scratch.read("1/uic60.decay.csv"), scratch.read("2/uic60.decay.csv"));
+    // without the comment that says which command made them
+    const auto numbers = [&](const std::string& file) {
+        const std::string text = scratch.read(file);
+        return text.substr(0, text.find("# "));
+    };
+    EXPECT_EQ(numbers("1/uic60.receptance.csv"), numbers("2/uic60.receptance.csv"));
+    EXPECT_EQ(numbers("1/uic60.decay.csv"), numbers("2/uic60.decay.csv"));
     const CaseFile file = read_case(shipped("ballasted/uic60.toml"), {"track.pads.static_stiffness_n_per_m=100e6"});
     const pem::TrackResponse direct =
         pem::track_response(file.parameters, pem::geometric_lines(100.0, 800.0, 40), true, 1);
-    EXPECT_EQ(scratch.read("1/uic60.receptance.csv"), csv_text(receptance_table(direct)));
+    EXPECT_EQ(numbers("1/uic60.receptance.csv"), csv_text(receptance_table(direct)));
     EXPECT_EQ(columns(scratch.read("1/uic60.receptance.csv")).at("frequency_hz").size(), 40u);
 }
 
