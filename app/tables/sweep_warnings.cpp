@@ -7,10 +7,10 @@
 #include <cstring>
 #include <fstream>
 #include <set>
-#include <stdexcept>
 #include <tuple>
 
 #include "app/number_table.hpp"
+#include "app/output_folder.hpp"
 
 namespace railpem::app {
 
@@ -37,7 +37,7 @@ void SweepWarnings::add(const SweepWarning& warning) {
     std::ofstream out(own_, std::ios::app | std::ios::binary);
     out << fmt::format("{} {} {}\n", warning.index, warning.speed_m_per_s, warning.says);
     out.close();
-    if (!out) throw std::runtime_error(fmt::format("{}: cannot be written: {}", own_.string(), std::strerror(errno)));
+    if (!out) throw OutputError(fmt::format("{}: {}", own_.string(), std::strerror(errno)));
 }
 
 std::vector<fs::path> SweepWarnings::files() const {

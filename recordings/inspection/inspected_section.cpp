@@ -209,7 +209,7 @@ InspectedSection inspect_section(const Recording& recording, const InspectionCon
     InspectedSection section{header(recording), std::nullopt};
     InspectionReport& report = section.report;
     if (report.kind != RecordingKind::timeseries) {
-        report.faults = checks::check_tables(recording, context);
+        for (Fault& fault : checks::check_tables(recording, context)) report.faults.push_back(std::move(fault));
         sort_faults(report.faults);
         report.not_checked.emplace_back("sensors: this kind of data holds no time series");
         const bool is_table = recording.description.kind == RecordingKind::receptance ||
@@ -230,7 +230,7 @@ InspectedSection inspect_section(const Recording& recording, const InspectionCon
     const AtTruePlaces seen(recording, section.spectra, places);
     const checks::Evidence evidence =
         checks::gather_evidence(seen.recording(), context, seen.spectra(), std::move(detrended), places);
-    report.faults = places.exchanges;
+    report.faults.insert(report.faults.end(), places.exchanges.begin(), places.exchanges.end());
     report.speed_along = speed_along(evidence, stated_speed(recording));
     if (evidence.speed) {
         report.speed_m_per_s = evidence.speed->speed_m_per_s;

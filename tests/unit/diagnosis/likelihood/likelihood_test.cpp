@@ -13,6 +13,9 @@
 namespace railpem::diagnosis {
 namespace {
 
+/// Power with a floor of 3 % and what every sensor errs by itself.
+const double kFloored = 1.0 + 0.03 * 0.03 + std::pow(kObservationSettings.sensor_error, 2);
+
 Synthesised small(const std::vector<std::string>& responses) {
     return synthesised(paper_believed({"vehicle.bogie_mass_kg", "vehicle.primary.stiffness_n_per_m",
                                        "vehicle.primary.damping_n_s_per_m", "track.pads.static_stiffness_n_per_m"}),
@@ -36,7 +39,7 @@ TEST(LogLikelihood, OneChannelIsGamma) {
     double sum = 0.0;
     const Observation& observation = made.observations[0];
     for (std::size_t bin = 0; bin < observation.bins(); ++bin) {
-        const double model = predictions[0].values[bin].real() * (1.0 + 0.03 * 0.03) + trial.noise_psd[0][0];
+        const double model = predictions[0].values[bin].real() * kFloored + trial.noise_psd[0][0];
         const double ratio = observation.fitted.values[bin].real() / model;
         sum += observation.fitted.averages * (std::log(ratio) + 1.0 - ratio);
     }
@@ -55,7 +58,8 @@ TEST(LogLikelihood, TwoChannelsWrittenOut) {
     for (std::size_t bin = 0; bin < observation.bins(); ++bin) {
         const auto* p = &predictions[0].values[4 * bin];
         const auto* e = &observation.fitted.values[4 * bin];
-        const double a = p[0].real() * 1.0009 + trial.noise_psd[0][0], d = p[3].real() * 1.0009 + trial.noise_psd[0][1];
+        const double a = p[0].real() * kFloored + trial.noise_psd[0][0],
+                     d = p[3].real() * kFloored + trial.noise_psd[0][1];
         const std::complex<double> c = p[1];  // row 2, column 1
         const double det = a * d - std::norm(c), own = e[0].real() * e[3].real() - std::norm(e[1]);
         const double trace = (d * e[0].real() + a * e[3].real() - 2.0 * std::real(std::conj(c) * e[1])) / det;
@@ -71,8 +75,8 @@ TEST(LogLikelihood, TwoChannelsWrittenOut) {
         double highest = -1e300, stiffness = 0.0;
         for (int i = 0; i <= 6000; ++i) {
             const double s = i == 0 ? 0.0 : -3.0 + 0.001 * i, power = std::exp(s);
-            const double x = power * p[0].real() * 1.0009, y = power * p[3].real() * 1.0009, m = trial.noise_psd[0][0],
-                         n = trial.noise_psd[0][1];
+            const double x = power * p[0].real() * kFloored, y = power * p[3].real() * kFloored,
+                         m = trial.noise_psd[0][0], n = trial.noise_psd[0][1];
             const std::complex<double> c = power * p[1];
             const double a = x + m, d = y + n, det = a * d - std::norm(c),
                          own = e[0].real() * e[3].real() - std::norm(e[1]);

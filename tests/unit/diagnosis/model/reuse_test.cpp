@@ -60,8 +60,9 @@ std::string node_in_the_middle(const Synthesised& made) {
 
 std::vector<Unknown> all_unknowns(const Synthesised& made) {
     std::vector<Unknown> unknowns = nuisance_unknowns(made.believed, made.observations);
-    std::erase_if(unknowns,
-                  [](const Unknown& u) { return u.kind == UnknownKind::noise || u.kind == UnknownKind::floor; });
+    std::erase_if(unknowns, [](const Unknown& u) {
+        return u.kind == UnknownKind::noise || u.kind == UnknownKind::flicker || u.kind == UnknownKind::floor;
+    });
     for (std::size_t e = 0; e < made.believed.effects.size(); ++e)
         for (const Unknown& unknown : effect_unknowns(made.believed.effects[e], e)) unknowns.push_back(unknown);
     for (const CorrectionPlace& place : correction_places(made.believed, made.observations))
