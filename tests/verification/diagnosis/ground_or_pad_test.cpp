@@ -40,12 +40,6 @@ TEST(GroundOrPad, ResonancesAreOfTheGround) {
               Element::support);
 }
 
-// Half way from one node to the next.
-TEST(GroundOrPad, ResonancesBetweenNodesAreToo) {
-    EXPECT_EQ(place_of({.frequency_hz = {26.0, 34.0, 43.0, 54.0, 70.0}, .share = {0.0, 0.03, 0.06, 0.03, 0.0}}),
-              Element::support);
-}
-
 // As a play of 0.1 mm distorts.
 TEST(GroundOrPad, WhatRisesToTheEndIsOfThePads) {
     EXPECT_EQ(place_of({.frequency_hz = {9.0, 18.7, 39.4, 83.1, 120.0}, .share = {0.0, 0.004, 0.003, 0.015, 0.025}}),
