@@ -123,8 +123,8 @@ RecordingFile read_recording(const std::string& path, Refuse refuse) {
         throw refused(recording.document, error);
     }
     check_irregularity(recording);
-    for (const std::string& file : {recording.description.data, recording.description.irregularity})
-        if (!file.empty()) note_input(recording.base / file);
+    for (const std::string& read : {recording.description.data, recording.description.irregularity})
+        if (!read.empty()) note_input(recording.base / read);
     return recording;
 }
 

@@ -34,7 +34,9 @@ TEST(Decimate, KeepsWhatLiesBelowAndItsTime) {
 TEST(Decimate, LetsNothingFoldBackBelow) {
     for (const double above : {3130.0, 5120.0, 7000.0, 12000.0})
         for (std::size_t m = 100; const double value : decimated(tone(above, 6000), rate, 5, highest))
-            if (m++ > 200 && m < 1100) EXPECT_LT(std::abs(value), 2e-5) << above;
+            if (m++ > 200 && m < 1100) {
+                EXPECT_LT(std::abs(value), 2e-5) << above;
+            }
 }
 
 TEST(Decimate, KeepsAConstantUpToTheEndsAndAGapWhereItIs) {
