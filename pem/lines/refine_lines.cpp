@@ -76,7 +76,7 @@ std::vector<double> without_gaps(const std::vector<double>& given, double widest
 }
 
 /// Lines with their spectra, and which of them have to be solved.
-struct Spectra {
+struct LineSpectra {
     std::vector<double> frequency_hz;
     std::vector<std::vector<double>> psd;
 };
@@ -84,7 +84,7 @@ struct Spectra {
 /// Puts `added` lines among the known ones and solves them; with teeth in the excitation also their neighbours, whose
 /// bins have become narrower.
 void insert_lines(const CaseParameters& parameters, const PreparedCase& prepared, const std::vector<double>& added,
-                  const SolveOptions& options, Spectra& known) {
+                  const SolveOptions& options, LineSpectra& known) {
     const bool bins_matter = std::any_of(prepared.sources.begin(), prepared.sources.end(),
                                          [](const PreparedSource& own) { return !own.teeth_hz.empty(); });
     std::vector<double> merged;
@@ -208,7 +208,7 @@ std::vector<double> starting_lines(const CaseParameters& parameters, const Prepa
 
 RefinedSpectra refine_lines(const CaseParameters& parameters, const PreparedCase& prepared, const Solution& start,
                             const SolveOptions& options) {
-    Spectra known{start.frequency_hz, {}};
+    LineSpectra known{start.frequency_hz, {}};
     for (std::size_t response = 0; response < response_names().size(); ++response)
         known.psd.push_back(response_psd(start, response));
     const std::vector<double> wanted = starting_lines(parameters, prepared, start.frequency_hz);
